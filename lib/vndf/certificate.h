@@ -1,0 +1,62 @@
+// The measured errors of one pair of tables, carried in their file. Every figure is of the sampler
+// and the functions as a renderer runs them, in single precision, at points off the table's grid.
+//
+// u-error: |CDF(x(u)) - u|, the Kolmogorov distance of the sampled law from the exact one.
+#pragma once
+
+#include <string>
+
+namespace vndf {
+
+/// Sampled over exact mass of a tail, P(CDF < e) / e, at e = 1e-4, 1e-5, 1e-6: of all rows of the
+/// table the ratio farthest from 1.
+struct TailRatios {
+  double e4 = 1, e5 = 1, e6 = 1;
+};
+
+struct TableErrors {
+  double max_u_error = 0;
+  double mean_u_error =
+      0;  ///< over rows and u, both uniform in the sense of the table's rows and u
+  double worst_row =
+      0;  ///< where the maximum is: theta in degrees, or the slope x, at unit roughness
+  double worst_u = 0;
+  double max_density_error = 0;  ///< |sampled / exact density - 1|, for u in [1e-6, 1 - 1e-6]
+  TailRatios lower, upper;
+};
+
+struct Certificate {
+  TableErrors marginal, conditional;
+  double max_d_error = 0;       ///< relative, over slopes to the radius that 1e-12 of them exceed
+  double max_lambda_error = 0;  ///< relative to 1 + Lambda, which is that of G1
+  double max_pdf_error = 0;     ///< relative, over sampled normals
+};
+
+/// Calls `visit(name, value)` for each figure of `errors`, in the order in which they are printed.
+template <class Errors, class Visit>
+void for_each_table_figure(Errors& errors, const std::string& table, Visit visit) {
+  visit(table + "_max_u_error", errors.max_u_error);
+  visit(table + "_mean_u_error", errors.mean_u_error);
+  visit(table + "_worst_row", errors.worst_row);
+  visit(table + "_worst_u", errors.worst_u);
+  visit(table + "_max_density_error", errors.max_density_error);
+  visit(table + "_lower_tail_ratio_1e-4", errors.lower.e4);
+  visit(table + "_lower_tail_ratio_1e-5", errors.lower.e5);
+  visit(table + "_lower_tail_ratio_1e-6", errors.lower.e6);
+  visit(table + "_upper_tail_ratio_1e-4", errors.upper.e4);
+  visit(table + "_upper_tail_ratio_1e-5", errors.upper.e5);
+  visit(table + "_upper_tail_ratio_1e-6", errors.upper.e6);
+}
+
+/// Calls `visit(name, value)` for each figure of `certificate` (const or not): the one list of
+/// names that files, reports and tests share.
+template <class C, class Visit>
+void for_each_figure(C& certificate, Visit visit) {
+  for_each_table_figure(certificate.marginal, "marginal", visit);
+  for_each_table_figure(certificate.conditional, "conditional", visit);
+  visit(std::string("max_d_error"), certificate.max_d_error);
+  visit(std::string("max_lambda_error"), certificate.max_lambda_error);
+  visit(std::string("max_pdf_error"), certificate.max_pdf_error);
+}
+
+}  // namespace vndf

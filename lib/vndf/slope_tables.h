@@ -1,0 +1,37 @@
+// Everything that sampling and evaluating one slope distribution needs, in units of its mean slope
+// mu = E|X|: the tables T_x[theta, u1] and T_y[x, u2] of Heitz and d'Eon 2014 (sections 5.3, 5.4)
+// and two functions of one variable. Immutable once made, so threads share it freely.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "vndf/log_curve.h"
+#include "vndf/table.h"
+
+namespace vndf {
+
+struct SlopeTables {
+  /// Name of the distribution, for people.
+  std::string distribution;
+  /// mu = E|X| at unit roughness; alpha times mu is the mean slope of the surface. Finite, > 0.
+  double mean_slope = 0;
+  /// sigma(x) / sigma(c) over (theta, u1) and 2 sigma(y / sqrt(1 + x^2)) over (|x|, u2); the
+  /// coordinates are in table_coordinates.h.
+  QuantileTable marginal, conditional;
+  /// Distribution of normals at alpha = 1 / mu, D = p22 (1 + r^2)^2, over asinh(r).
+  LogCurve<double> log_ndf;
+  /// E[(X - c)+] = c Lambda(c): area of back-facing facets seen per unit of sin(theta), over
+  /// asinh(c).
+  LogCurve<double> log_backfacing;
+};
+
+/// The first rule that `tables` breaks, with the place, or nothing: sizes, finite values, rows that
+/// increase within [0, 1] and end as table_coordinates.h says, curves that are finite.
+std::optional<std::string> check(const SlopeTables& tables);
+
+/// Tables ready to share. Throws std::invalid_argument with the message of check().
+std::shared_ptr<const SlopeTables> share(SlopeTables tables);
+
+}  // namespace vndf

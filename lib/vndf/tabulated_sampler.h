@@ -1,0 +1,165 @@
+// Sampling and evaluating the distribution of visible normals from tables, at any roughness,
+// anisotropy and incidence (Heitz and d'Eon 2014, Algorithm 4 and equations 1 to 3).
+//
+// Inputs of every function: directions are unit vectors; alpha > 0, tested from 1e-4 to 10 at
+// ratios up to 1:1000. An input outside its range (alpha <= 0, a component that is not a number, wi
+// below the horizon) gives the stated fallback and nothing else happens: no function allocates or
+// throws. Slopes are handled as fractions with a common denominator, so none overflows, whatever
+// the tail.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "vndf/slope_tables.h"
+#include "vndf/table_coordinates.h"
+#include "vndf/vec.h"
+
+namespace vndf {
+
+/// Smallest dot(wi, wm) that rounding can leave on a sampled normal, whose exact value is >= 0.
+template <class T>
+inline constexpr T kFacingSlack = T(4) * std::numeric_limits<T>::epsilon();
+
+/// A slope in the frame of the stretched incident direction, in units of the mean slope:
+/// (x / w, y / w), w >= 0.
+template <class T>
+struct HomogeneousSlope {
+  T x, y, w;
+};
+
+template <class T>
+class TabulatedSampler {
+ public:
+  /// Shares `tables`, which must not be null.
+  explicit TabulatedSampler(std::shared_ptr<const SlopeTables> tables)
+      : tables_(std::move(tables)),
+        mean_slope_(static_cast<T>(tables_->mean_slope)),
+        log_ndf_(tables_->log_ndf),
+        log_backfacing_(tables_->log_backfacing) {}
+
+  const SlopeTables& tables() const { return *tables_; }
+
+  /// Draws a normal visible from `wi` (wi.z >= 0). slope_x increases with u1 and slope_y with u2 in
+  /// the frame of the stretched incident direction. Any u is accepted; outside [0, 1] it is moved
+  /// to the nearer end, where the slope is infinite and the normal horizontal. At the exact pole
+  /// the azimuth is taken as 0. Returns a unit normal with wm.z >= 0 and dot(wi, wm) >=
+  /// -kFacingSlack<T>; (0, 0, 1) for an input outside its range.
+  Vec3<T> sample(const Vec3<T>& wi, const Alpha<T>& alpha, T u1, T u2) const noexcept {
+    if (!valid(wi, alpha)) return {T(0), T(0), T(1)};
+    // 1. stretch
+    const Alpha<T> a = normalized(alpha);
+    const Azimuth phi = azimuth(a.x * wi.x, a.y * wi.y);
+    // 2. sample the slope of the stretched configuration
+    const HomogeneousSlope<T> slope = sample_slope(bounded_cotangent(wi.z, phi.length), u1, u2);
+    // 3. rotate
+    const T x = phi.cos * slope.x - phi.sin * slope.y;
+    const T y = phi.sin * slope.x + phi.cos * slope.y;
+    // 4. unstretch, 5. compute the normal
+    return normalize_or_up(Vec3<T>{-a.x * x, -a.y * y, slope.w});
+  }
+
+  /// Steps 2.a and 2.b of Algorithm 4: the slope seen from cotangent `c`, both at unit mean slope.
+  HomogeneousSlope<T> sample_slope(const BoundedSlope<T>& c, T u1, T u2) const noexcept {
+    // 2.a marginal
+    const BoundedSlope<T> x = sample_marginal(c, probability(u1));
+    // 2.b conditional: y = sqrt(1 + x^2) times the slope in the table
+    const FoldedProbability<T> folded = fold(probability(u2));
+    const BoundedSlope<T> y = sample_conditional(x, folded.q);
+    const T dx = x.denominator(), dy = y.denominator();
+    return {x.numerator() * dy, -folded.sign * x.hypotenuse() * y.numerator(), dx * dy};
+  }
+
+  /// The marginal quantile at u1, in units of the mean slope; at most the slope `c`.
+  BoundedSlope<T> sample_marginal(const BoundedSlope<T>& c,
+                                  const Probability<T>& u1) const noexcept {
+    return bounded_from_sigma(c.sigma *
+                              tables_->marginal.lookup(marginal_row(c), marginal_column(u1)));
+  }
+
+  /// The negative conditional slope y / sqrt(1 + x^2) that |y| exceeds with probability q.
+  BoundedSlope<T> sample_conditional(const BoundedSlope<T>& x, T q) const noexcept {
+    const QuantileTable& table = tables_->conditional;
+    return bounded_from_sigma(T(0.5) * table.lookup(conditional_row(x), conditional_column(q)));
+  }
+
+  /// Density of normals D(wm) per solid angle; 0 for a horizontal or back-facing normal.
+  T d(const Vec3<T>& wm, const Alpha<T>& alpha) const noexcept {
+    if (!valid(wm, alpha) || !(wm.z > T(0))) return T(0);
+    const Alpha<T> a = normalized(alpha);
+    const T hx = wm.x / a.x, hy = wm.y / a.y;
+    const T horizontal = hx * hx + hy * hy;
+    const T square = horizontal + wm.z * wm.z;
+    const T asinh_slope = std::log((std::sqrt(horizontal) + std::sqrt(square)) / wm.z);
+    return log_ndf_.at(asinh_slope) / (a.x * a.y * square * square);
+  }
+
+  /// Smith's Lambda(w) of the direction or its mirror below the horizon; infinite at the horizon.
+  T lambda(const Vec3<T>& w, const Alpha<T>& alpha) const noexcept {
+    const Vec3<T> above{w.x, w.y, std::abs(w.z)};
+    if (!valid(above, alpha)) return T(0);
+    return backfacing_area(above, alpha) / above.z;
+  }
+
+  /// Smith's masking G1(w) = 1 / (1 + Lambda(w)); 0 for an input outside its range.
+  T g1(const Vec3<T>& w, const Alpha<T>& alpha) const noexcept {
+    const Vec3<T> above{w.x, w.y, std::abs(w.z)};
+    if (!valid(above, alpha)) return T(0);
+    return above.z == T(0) ? T(0) : above.z / (above.z + backfacing_area(above, alpha));
+  }
+
+  /// Density of sample() per solid angle, D_wi(wm) = dot(wi, wm)+ D(wm) / (wi.z (1 + Lambda(wi)))
+  /// (equation 2), finite up to the horizon; 0 for an input outside its range.
+  T pdf(const Vec3<T>& wi, const Vec3<T>& wm, const Alpha<T>& alpha) const noexcept {
+    const T cosine = dot(wi, wm);
+    if (!valid(wi, alpha) || !(cosine > T(0))) return T(0);
+    return cosine * d(wm, alpha) / (wi.z + backfacing_area(wi, alpha));
+  }
+
+ private:
+  struct Azimuth {
+    T cos, sin, length;
+  };
+
+  static bool valid(const Vec3<T>& w, const Alpha<T>& alpha) {
+    return w.z >= T(0) && std::isfinite(w.x) && std::isfinite(w.y) && alpha.x > T(0) &&
+           alpha.y > T(0) && std::isfinite(alpha.x) && std::isfinite(alpha.y);
+  }
+
+  /// Roughness in units in which the mean slope is 1.
+  Alpha<T> normalized(const Alpha<T>& alpha) const {
+    return {alpha.x * mean_slope_, alpha.y * mean_slope_};
+  }
+
+  /// Azimuth and length of a horizontal vector. Only the zero vector has none: a vector too short
+  /// to square is scaled up first, for the map is continuous along every azimuth up to the pole.
+  static Azimuth azimuth(T x, T y) {
+    constexpr T kTooShort = T(1e-15), kScale = T(1e18);
+    const T largest = std::max(std::abs(x), std::abs(y));
+    if (largest == T(0)) return {T(1), T(0), T(0)};
+    if (largest < kTooShort) {
+      const T length = std::hypot(x * kScale, y * kScale);
+      return {x * kScale / length, y * kScale / length, length / kScale};
+    }
+    const T length = std::sqrt(x * x + y * y);
+    return {x / length, y / length, length};
+  }
+
+  /// wi.z Lambda(wi): the projected area of the facets that face away from wi.
+  T backfacing_area(const Vec3<T>& w, const Alpha<T>& alpha) const {
+    const Alpha<T> a = normalized(alpha);
+    const T horizontal = azimuth(a.x * w.x, a.y * w.y).length;
+    if (horizontal == T(0)) return T(0);
+    const T length = std::sqrt(horizontal * horizontal + w.z * w.z);
+    return horizontal * log_backfacing_.at(std::log((w.z + length) / horizontal));
+  }
+
+  std::shared_ptr<const SlopeTables> tables_;
+  T mean_slope_;
+  LogCurve<T> log_ndf_, log_backfacing_;
+};
+
+}  // namespace vndf
