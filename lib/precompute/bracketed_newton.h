@@ -1,0 +1,39 @@
+// Root of a decreasing function within a bracket: Newton's method, with bisection wherever a step
+// would leave the bracket. It always converges.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vndf::precompute {
+
+struct ValueAndSlope {
+  double value, slope;
+};
+
+struct Bracket {
+  double low, high;
+};
+
+/// x with f(x) = 0 for decreasing f that is >= 0 at bracket.low and <= 0 at bracket.high;
+/// f(x) returns ValueAndSlope. Stops when a step is below a few roundings of max(1, |x|), or when
+/// the bracket has no number left inside. `guess` need not be inside the bracket.
+template <class F>
+double bracketed_newton(F f, Bracket bracket, double guess) {
+  constexpr double kResolution = 4 * std::numeric_limits<double>::epsilon();
+  const auto middle = [&] { return bracket.low + (bracket.high - bracket.low) / 2; };
+  const auto inside = [&](double x) { return x > bracket.low && x < bracket.high; };
+  double x = inside(guess) ? guess : middle();
+  while (inside(x)) {
+    const ValueAndSlope at = f(x);
+    if (at.value == 0) return x;
+    (at.value > 0 ? bracket.low : bracket.high) = x;
+    const double step = -at.value / at.slope;
+    if (std::abs(step) <= kResolution * std::max(1.0, std::abs(x))) return x;
+    x = inside(x + step) ? x + step : middle();
+  }
+  return x;
+}
+
+}  // namespace vndf::precompute

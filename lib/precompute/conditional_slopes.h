@@ -1,0 +1,51 @@
+// The distribution of the slope y given the slope x (Heitz and d'Eon 2014, equations 12 and 13). It
+// does not depend on the incident direction and is symmetric, so it is kept as that of |y|:
+//
+//   q(y) = P(|Y| > y | x) = int_y^inf p22(sqrt(x^2 + s^2)) ds / int_0^inf p22(sqrt(x^2 + s^2)) ds
+//
+// y is in units of sqrt(1 + x^2), in which the conditionals of all Student-T slopes, GGX included,
+// are one and the same; x is in units of the mean slope.
+#pragma once
+
+#include <vector>
+
+#include "precompute/unit_slopes.h"
+#include "vndf/table_coordinates.h"
+
+namespace vndf::precompute {
+
+class ConditionalSlopes {
+ public:
+  /// Whether slopes near `x` >= 0 have any mass in double precision. Where they have none, no
+  /// sample ever lands and the conditional is not defined.
+  static bool reachable(const UnitSlopes& slopes, double x);
+
+  /// Integrates the conditional density at a reachable slope `x` >= 0, panel by panel. `slopes`
+  /// must outlive this object.
+  ConditionalSlopes(const UnitSlopes& slopes, double x);
+
+  /// q and 1 - q at y >= 0. Maximum error: 1e-13, in both tails relative.
+  Probability<double> cdf(double y) const;
+
+  /// y with q(y) = q, infinity at 0: bracketed root finding to 1e-12 in q.
+  double quantile(const Probability<double>& q) const;
+
+  /// Relative error that the quadrature estimates for the whole integral.
+  double quadrature_error() const { return error_ / total(); }
+
+ private:
+  double density(double y) const;  // not normalised
+  double total() const { return tail_.front(); }
+  double partial(double low, double high) const;
+  std::size_t panel_of(double y) const;
+  std::size_t panel_of(const Probability<double>& q) const;
+
+  const UnitSlopes& slopes_;
+  double x_, unit_;  // unit_ = sqrt(1 + x^2)
+  double error_ = 0;
+  // Edges of the panels and the integrals below and above each edge: both are sums of positive
+  // terms, so neither tail is a difference.
+  std::vector<double> edge_, head_, tail_;
+};
+
+}  // namespace vndf::precompute

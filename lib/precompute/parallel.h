@@ -1,0 +1,23 @@
+// Runs independent pieces of work on several threads. Each piece writes only its own results, so
+// the outcome does not depend on the number of threads.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace vndf::precompute {
+
+/// How much of the machine to use and whom to tell about progress.
+struct Workers {
+  /// Threads to run; 0 means one for each processor.
+  unsigned threads = 0;
+  /// Called with the number of finished pieces, from one thread at a time; may be empty.
+  std::function<void(std::size_t done)> progress = {};
+};
+
+/// Calls `piece(i)` once for every i in [0, count). If pieces throw, the first exception caught is
+/// rethrown after all threads have stopped; pieces not yet begun are skipped.
+void parallel_for(std::size_t count, const Workers& workers,
+                  const std::function<void(std::size_t)>& piece);
+
+}  // namespace vndf::precompute

@@ -1,0 +1,90 @@
+// The marginal distribution of visible slopes at one incidence.
+#include "precompute/visible_slopes.h"
+
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+#include <limits>
+
+#include "precompute/bracketed_newton.h"
+
+namespace vndf::precompute {
+namespace {
+
+// Below this distance from the edge the closed form of 1 - V loses more than two digits and Gauss's
+// rule on the positive integrand is exact to rounding.
+constexpr double kNear = 0.25;
+// exp(-740) is the smallest normal number: no slope that a table holds lies beyond.
+constexpr double kFarthestLow = 740;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+double asinh_of(const BoundedSlope<double>& slope) {
+  return std::log(slope.sigma / slope.complement);
+}
+
+BoundedSlope<double> bounded_from_asinh(double a) {
+  return {1 / (1 + std::exp(-a)), 1 / (1 + std::exp(a))};
+}
+
+VisibleSlopes::VisibleSlopes(const UnitSlopes& slopes, const BoundedSlope<double>& c)
+    : slopes_(slopes),
+      farthest_(asinh_of(c)),
+      cosine_(c.numerator() / c.hypotenuse()),
+      sine_(c.denominator() / c.hypotenuse()),
+      norm_(cosine_ * (1 - slopes.q(farthest_)) + sine_ * slopes.m(farthest_)) {}
+
+double VisibleSlopes::lower_mass(double b) const {
+  return cosine_ * slopes_.q(b) + sine_ * slopes_.m(b);
+}
+
+double VisibleSlopes::upper_mass(double a) const {
+  if (a >= farthest_) return 0;
+  if (farthest_ - a < kNear) return upper_mass_near(a);
+  return cosine_ * (slopes_.q(a) - slopes_.q(farthest_)) -
+         sine_ * (slopes_.m(a) - slopes_.m(farthest_));
+}
+
+double VisibleSlopes::upper_mass_near(double a) const {
+  return boost::math::quadrature::gauss<double, 10>::integrate(
+      [this](double t) { return weighted_density(t); }, a, farthest_);
+}
+
+double VisibleSlopes::weighted_density(double a) const {
+  // cos - sin x = sin (sinh(farthest) - sinh(a)), as a product so that it keeps its digits.
+  const double projection = std::isinf(farthest_) ? cosine_
+                                                  : 2 * sine_ * std::cosh((farthest_ + a) / 2) *
+                                                        std::sinh((farthest_ - a) / 2);
+  return projection * slopes_.p_da(a);
+}
+
+Probability<double> VisibleSlopes::cdf(double a) const {
+  if (a > 0) {
+    const double complement = upper_mass(a) / norm_;
+    return {1 - complement, complement};
+  }
+  const double u = lower_mass(-a) / norm_;
+  return {u, 1 - u};
+}
+
+double VisibleSlopes::quantile(const Probability<double>& u, double guess) const {
+  if (u.u == 0) return -kInfinity;
+  if (u.complement == 0) return farthest_;
+  // Both branches solve for the logarithm of a mass: the tails are close to straight lines there.
+  if (u.u * norm_ <= lower_mass(0)) {
+    const double target = std::log(u.u * norm_);
+    const auto f = [&](double b) {
+      const double mass = lower_mass(b);
+      return ValueAndSlope{std::log(mass) - target, -weighted_density(-b) / mass};
+    };
+    return -bracketed_newton(f, {0, kFarthestLow}, -guess);
+  }
+  const double target = std::log(u.complement * norm_);
+  const auto f = [&](double a) {
+    const double mass = upper_mass(a);
+    return ValueAndSlope{std::log(mass) - target, -weighted_density(a) / mass};
+  };
+  return bracketed_newton(f, {0, std::min(farthest_, kFarthestLow)}, guess);
+}
+
+}  // namespace vndf::precompute
