@@ -1,0 +1,68 @@
+// The canonical byte sequence of slope tables, fed to the check piece by piece. Numbers are
+// little-endian: 64-bit counts, float64, and float32 for the values of tables.
+#include "io/content_checksum.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <string_view>
+
+#include "io/crc64.h"
+#include "io/table_format.h"
+
+namespace vndf::io {
+namespace {
+
+template <class T>
+void add_number(Crc64& crc, T value) {
+  auto bytes = std::bit_cast<std::array<char, sizeof(T)>>(value);
+  if constexpr (std::endian::native == std::endian::big) std::ranges::reverse(bytes);
+  crc.add({bytes.data(), bytes.size()});
+}
+
+void add_count(Crc64& crc, std::size_t count) {
+  add_number(crc, static_cast<std::uint64_t>(count));
+}
+
+void add_text(Crc64& crc, std::string_view text) {
+  add_count(crc, text.size());
+  crc.add(text);
+}
+
+void add_row(Crc64& crc, const float* row, std::size_t columns) {
+  if constexpr (std::endian::native == std::endian::little)
+    crc.add({reinterpret_cast<const char*>(row), columns * sizeof(float)});
+  else
+    std::for_each(row, row + columns, [&](float value) { add_number(crc, value); });
+}
+
+void add_table(Crc64& crc, const QuantileTable& table) {
+  add_count(crc, table.rows());
+  add_count(crc, table.columns());
+  for (std::size_t i = 0; i < table.rows(); ++i) add_row(crc, table.row(i), table.columns());
+}
+
+void add_curve(Crc64& crc, const LogCurve<double>& curve) {
+  add_number(crc, curve.step());
+  add_count(crc, curve.nodes().size());
+  for (const auto& node : curve.nodes()) {
+    add_number(crc, node.value);
+    add_number(crc, node.tangent);
+  }
+}
+
+}  // namespace
+
+std::uint64_t content_checksum(const SlopeTables& tables) {
+  Crc64 crc;
+  add_text(crc, kCoordinates);
+  add_text(crc, kInterpolation);
+  add_number(crc, tables.mean_slope);
+  add_table(crc, tables.marginal);
+  add_table(crc, tables.conditional);
+  add_curve(crc, tables.log_ndf);
+  add_curve(crc, tables.log_backfacing);
+  return crc.value();
+}
+
+}  // namespace vndf::io

@@ -1,0 +1,15 @@
+// One number for all that sampling depends on: the same for the same tables in either file format,
+// whoever made them and however their certificate was measured.
+#pragma once
+
+#include <cstdint>
+
+#include "vndf/slope_tables.h"
+
+namespace vndf::io {
+
+/// CRC-64/XZ over the byte sequence that tables/FORMAT.md defines: the coordinates and the
+/// interpolation of this version, mean slope, tables, curves. Not over the distribution's name.
+std::uint64_t content_checksum(const SlopeTables& tables);
+
+}  // namespace vndf::io

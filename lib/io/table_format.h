@@ -1,0 +1,27 @@
+// What a table file of this version is called and may hold. tables/FORMAT.md describes the format
+// for readers in any language.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace vndf::io {
+
+/// A reader refuses any other major version. A newer minor version only adds attributes and arrays,
+/// which an older reader ignores.
+inline constexpr int kFormatMajor = 1, kFormatMinor = 0;
+
+/// Value of the attribute `file_type`.
+inline constexpr char kFileType[] = "vndf slope tables";
+/// Name of the axes and values of table_coordinates.h.
+inline constexpr char kCoordinates[] = "bounded-slope-1";
+/// Name of the interpolation of table.h.
+inline constexpr char kInterpolation[] = "linear rows, monotone cubic columns";
+
+/// Limits that a reader checks before it allocates, and a writer so that every file can be read.
+inline constexpr std::size_t kMaxTableSide = 8192;         ///< rows or columns of a table
+inline constexpr std::size_t kMaxCurveNodes = 1u << 20;    ///< nodes of a curve
+inline constexpr std::uintmax_t kMaxFileBytes = 1u << 30;  ///< whole file
+inline constexpr std::size_t kMaxTextBytes = 60000;  ///< one text; HDF5 holds just under 64 KiB
+
+}  // namespace vndf::io

@@ -1,0 +1,18 @@
+// Files as single strings of bytes: read at once, replaced at once or not at all.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace vndf::io {
+
+/// The bytes of a regular file. Throws Refusal if it is missing, empty, not a file, too large for a
+/// table file (kMaxFileBytes) or cannot be read.
+std::string read_whole_file(const std::filesystem::path& path);
+
+/// Writes `bytes` under a temporary name in the same folder, then renames. Throws Refusal on any
+/// failure; then nothing is left behind and a file already at `path` is as it was.
+void replace_file(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace vndf::io
