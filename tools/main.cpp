@@ -1,0 +1,29 @@
+// The vndf program: parses the command line, calls the library, prints. Exit status 0, 1 after a
+// failure (one line on standard error) and 2 for wrong usage.
+#include <exception>
+#include <iostream>
+
+#include "commands.h"
+
+int main(int argc, char** argv) {
+  CLI::App app{
+      "Tables for sampling the visible normals of any slope distribution.\n"
+      "Build them once, load them in a renderer, sample at any roughness and incidence."};
+  app.set_version_flag("--version", vndf::tools::kProgram);
+  app.require_subcommand(1);
+  app.fallthrough(false);
+  vndf::tools::add_build(app);
+  vndf::tools::add_info(app);
+  vndf::tools::add_sample(app);
+  vndf::tools::add_convert(app);
+  vndf::tools::add_picture(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? 0 : 2;
+  } catch (const std::exception& e) {
+    std::cerr << "vndf: " << e.what() << '\n';
+    return 1;
+  }
+  return 0;
+}
