@@ -1,0 +1,110 @@
+// The builder: what it fills, that it does not depend on threads, what it refuses.
+#include "precompute/build_tables.h"
+
+#include <atomic>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+
+#include "built_tables.h"
+#include "catch.h"
+#include "closed_forms.h"
+#include "precompute/named_distribution.h"
+#include "precompute/slope_integrals.h"
+#include "tolerances.h"
+#include "vndf/table_coordinates.h"
+
+using namespace vndf;
+using namespace vndf::precompute;
+using namespace vndf::test;
+
+namespace {
+
+bool same_bits(const QuantileTable& a, const QuantileTable& b) {
+  if (a.rows() != b.rows() || a.columns() != b.columns()) return false;
+  for (std::size_t i = 0; i < a.rows(); ++i)
+    if (std::memcmp(a.row(i), b.row(i), a.columns() * sizeof(float)) != 0) return false;
+  return true;
+}
+
+bool same_bits(const LogCurve<double>& a, const LogCurve<double>& b) {
+  return a.step() == b.step() && a.nodes().size() == b.nodes().size() &&
+         std::memcmp(a.nodes().data(), b.nodes().data(), a.nodes().size() * sizeof(a.nodes()[0])) ==
+             0;
+}
+
+}  // namespace
+
+TEST_CASE("the tables are the same bits for any number of threads") {
+  const Ggx ggx;
+  const auto one = build_tables(ggx, {.rows = 40, .columns = 50, .threads = 1});
+  const auto five = build_tables(ggx, {.rows = 40, .columns = 50, .threads = 5});
+  CHECK(same_bits(one.tables->marginal, five.tables->marginal));
+  CHECK(same_bits(one.tables->conditional, five.tables->conditional));
+  CHECK(same_bits(one.tables->log_ndf, five.tables->log_ndf));
+  CHECK(same_bits(one.tables->log_backfacing, five.tables->log_backfacing));
+  CHECK(one.certificate.marginal.max_u_error == five.certificate.marginal.max_u_error);
+}
+
+TEST_CASE("every entry of the marginal table is the quantile at its node") {
+  const auto& tables = *small_tables("ggx").tables;
+  const auto last_row = static_cast<double>(tables.marginal.rows() - 1);
+  const auto last_column = static_cast<double>(tables.marginal.columns() - 1);
+  for (std::size_t i = 0; i < tables.marginal.rows(); ++i) {
+    const auto c = marginal_row_inverse(static_cast<double>(i) / last_row);
+    for (std::size_t j = 1; j + 1 < tables.marginal.columns(); ++j) {
+      const auto u = marginal_column_inverse(static_cast<double>(j) / last_column);
+      const double x = bounded_from_sigma(c.sigma * double{tables.marginal.row(i)[j]}).slope();
+      const double cosine = c.numerator() / c.hypotenuse(), sine = c.denominator() / c.hypotenuse();
+      CAPTURE(i, j);
+      // The value is stored in single precision: half a unit in its last place, times at most 4.
+      REQUIRE(std::abs(visible_cdf<GgxForms>(cosine, sine, x) - u.u) <= 2.5e-7);
+    }
+  }
+}
+
+TEST_CASE(
+    "rows of the conditional table that no sample reaches repeat the last one that is reached") {
+  const auto& table = small_tables("beckmann").tables->conditional;
+  for (std::size_t j = 0; j < table.columns(); ++j)
+    REQUIRE(table.row(table.rows() - 1)[j] == table.row(table.rows() - 2)[j]);
+}
+
+TEST_CASE("a density at another scale gives the same tables, and its mass is reported") {
+  class Scaled final : public SlopeDistribution {
+   public:
+    std::string name() const override { return "scaled"; }
+    double p22(double r) const override { return 8 * ggx_.p22(r); }
+
+   private:
+    Ggx ggx_;
+  };
+  const Scaled scaled;
+  const Ggx ggx;
+  const BuildOptions options{.rows = 32, .columns = 32};
+  const auto a = build_tables(scaled, options), b = build_tables(ggx, options);
+  CHECK(a.mass == Approx(8).epsilon(1e-13));
+  CHECK(same_bits(a.tables->marginal, b.tables->marginal));
+  CHECK(same_bits(a.tables->conditional, b.tables->conditional));
+}
+
+TEST_CASE("progress is told from nothing to everything") {
+  double last = 0;
+  const Ggx ggx;
+  build_tables(ggx, {.rows = 8, .columns = 8, .threads = 2, .progress = [&](double fraction) {
+                       CHECK(fraction >= last);
+                       last = fraction;
+                     }});
+  CHECK(last == 1);
+}
+
+TEST_CASE("impossible sizes are refused") {
+  const Ggx ggx;
+  CHECK_THROWS_WITH(build_tables(ggx, {.rows = 1, .columns = 64}), contains("table size 1x64"));
+  CHECK_THROWS_AS(build_tables(ggx, {.rows = 64, .columns = 2}), std::invalid_argument);
+  CHECK_THROWS_AS(build_tables(ggx, {.rows = 20000, .columns = 64}), std::invalid_argument);
+}
+
+TEST_CASE("names that are not known are refused with those that are") {
+  CHECK_THROWS_WITH(named_distribution("gxx"), contains("'gxx'") && contains("beckmann, ggx"));
+}

@@ -1,0 +1,293 @@
+// The program as a person or a script meets it: output, exit status, messages.
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "catch.h"
+
+namespace fs = std::filesystem;
+using vndf::test::Approx;
+using vndf::test::contains;
+
+namespace {
+
+struct Result {
+  int status;
+  std::string out, error;
+};
+
+std::string content(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// An empty folder that is gone after the test, and the program run inside it.
+class Folder {
+ public:
+  Folder() : path_(fs::temp_directory_path() / ("vndf-test-" + std::to_string(getpid()))) {
+    fs::remove_all(path_);
+    fs::create_directories(path_);
+  }
+  ~Folder() { fs::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  fs::path operator/(const std::string& name) const { return path_ / name; }
+
+  Result run(const std::string& arguments, const std::string& input = "") const {
+    const fs::path streams = path_.string() + "-streams";
+    fs::create_directories(streams);
+    std::ofstream(streams / "in") << input;
+    const std::string command = "cd " + path_.string() + " && " VNDF_PROGRAM " " + arguments +
+                                " <" + (streams / "in").string() + " >" +
+                                (streams / "out").string() + " 2>" + (streams / "error").string();
+    const int status = std::system(command.c_str());
+    const Result result{WEXITSTATUS(status), content(streams / "out"), content(streams / "error")};
+    fs::remove_all(streams);
+    return result;
+  }
+
+  /// Names of the files inside.
+  std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(path_))
+      names.push_back(entry.path().filename());
+    return names;
+  }
+
+ private:
+  fs::path path_;
+};
+
+/// A folder with a small table file, "ggx.h5".
+class FolderWithTables : public Folder {
+ public:
+  FolderWithTables() { REQUIRE(run("build ggx -o ggx.h5 --size 32x48 --quiet").status == 0); }
+};
+
+void check_failure(const Result& r, int status, const std::string& message) {
+  CHECK(r.status == status);
+  CHECK_THAT(r.error, contains(message));
+  CHECK(r.out.empty());
+}
+
+void check_one_line_failure(const Result& r, const std::string& message) {
+  check_failure(r, 1, message);
+  CHECK(std::count(r.error.begin(), r.error.end(), '\n') == 1);
+}
+
+std::vector<double> numbers(const std::string& line, char separator = ' ') {
+  std::vector<double> list;
+  std::istringstream fields(line);
+  for (std::string field; std::getline(fields, field, separator);) list.push_back(std::stod(field));
+  return list;
+}
+
+}  // namespace
+
+TEST_CASE("help of the program and of every subcommand explains itself") {
+  const Folder folder;
+  const Result help = folder.run("--help");
+  CHECK(help.status == 0);
+  for (const std::string name : {"build", "info", "sample", "convert", "picture"}) {
+    CHECK_THAT(help.out, contains(name));
+    CHECK(folder.run(name + " --help").status == 0);
+  }
+}
+
+TEST_CASE("build writes the file and reports its certificate") {
+  const Folder folder;
+  const Result r = folder.run("build ggx -o ggx.h5 --size 32");
+  CHECK(r.status == 0);
+  CHECK_THAT(r.out, contains("32 x 32") && contains("u-error, max") && contains("tail mass ratio"));
+  CHECK(r.error.empty());  // no progress bar where there is no terminal
+  CHECK(folder.files() == std::vector<std::string>{"ggx.h5"});
+}
+
+TEST_CASE("build --json prints one object with sizes, seconds, bytes and the certificate") {
+  const Folder folder;
+  const auto report =
+      nlohmann::json::parse(folder.run("build beckmann -o b.exr --size 24x40 --json").out);
+  CHECK(report.at("marginal_size") == nlohmann::json{24, 40});
+  CHECK(report.at("conditional_size") == nlohmann::json{24, 40});
+  CHECK(report.at("bytes") == fs::file_size(folder / "b.exr"));
+  CHECK(report.at("seconds") > 0);
+  CHECK(report.at("mass").get<double>() == Approx(1));
+  CHECK(report.at("certificate").at("marginal_max_u_error") > 0);
+  CHECK(report.at("certificate").at("conditional_upper_tail_ratio_1e-6") > 0);
+}
+
+TEST_CASE("build --quiet prints nothing") {
+  const Folder folder;
+  const Result r = folder.run("build ggx -o ggx.h5 --size 16 --quiet");
+  CHECK(r.status == 0);
+  CHECK(r.out.empty());
+  CHECK(r.error.empty());
+}
+
+TEST_CASE("the file does not depend on the number of threads") {
+  const Folder folder;
+  folder.run("build ggx -o ggx.h5 --size 32 --threads 1 --quiet");
+  const std::string one = content(folder / "ggx.h5");
+  folder.run("build ggx -o ggx.h5 --size 32 --threads 3 --quiet");
+  CHECK(content(folder / "ggx.h5") == one);
+}
+
+TEST_CASE("failures of build are one line, exit status 1, and leave nothing behind") {
+  const Folder folder;
+  check_one_line_failure(folder.run("build gxx -o a.h5"), "'gxx'");
+  check_one_line_failure(folder.run("build ggx -o a.txt"), "a.txt");
+  check_one_line_failure(folder.run("build ggx -o no/such/folder/a.h5 --size 16"),
+                         "no/such/folder");
+  check_one_line_failure(folder.run("build ggx -o a.h5 --size 1x16"), "table size 1x16");
+  CHECK(folder.files().empty());
+}
+
+TEST_CASE("wrong usage is exit status 2") {
+  const Folder folder;
+  check_failure(folder.run(""), 2, "subcommand");
+  check_failure(folder.run("build"), 2, "distribution");
+  check_failure(folder.run("build ggx"), 2, "--output");
+  check_failure(folder.run("build ggx -o a.h5 --size 12y"), 2, "'12y'");
+  check_failure(folder.run("build ggx -o a.h5 --nonsense"), 2, "nonsense");
+  check_failure(folder.run("sample a.h5"), 2, "--wi");
+  check_failure(folder.run("sample a.h5 --stdin --wi 0,0,1"), 2, "--stdin");
+  check_failure(folder.run("sample a.h5 --wi 0,0 --alpha 1"), 2, "--wi");
+  check_failure(folder.run("sample a.h5 --wi 0,0,-1 --alpha 1"), 2, "horizon");
+  check_failure(folder.run("sample a.h5 --wi 0,0,1 --alpha 0"), 2, "alpha");
+}
+
+TEST_CASE("info shows what a file holds, for people and as JSON") {
+  const FolderWithTables folder;
+  CHECK_THAT(folder.run("info ggx.h5").out, contains("ggx") && contains("32 x 48") &&
+                                                contains("vndf build ggx --size 32x48 -o ggx.h5"));
+  const auto json = nlohmann::json::parse(folder.run("info ggx.h5 --json").out);
+  CHECK(json.at("distribution") == "ggx");
+  CHECK(json.at("mean_slope").get<double>() == Approx(1));
+  CHECK(json.at("certificate").size() == 25);
+}
+
+TEST_CASE("a file that is not there or not a table is refused") {
+  const FolderWithTables folder;
+  std::ofstream(folder / "foreign.h5") << "not a table";
+  check_one_line_failure(folder.run("info missing.h5"), "missing.h5");
+  check_one_line_failure(folder.run("sample foreign.h5 --wi 0,0,1 --alpha 1"), "foreign.h5");
+  check_one_line_failure(folder.run("convert foreign.h5 out.exr"), "foreign.h5");
+  check_one_line_failure(folder.run("convert ggx.h5 out.png"), "out.png");
+  CHECK_FALSE(fs::exists(folder / "out.exr"));
+}
+
+TEST_CASE("sample prints CSV with the header, from a seed") {
+  const FolderWithTables folder;
+  const std::string command = "sample ggx.h5 --wi -0.6,0,0.8 --alpha 0.3,0.1 -n 5 --seed ";
+  const Result r = folder.run(command + "7");
+  std::istringstream lines(r.out);
+  std::string line;
+  std::getline(lines, line);
+  CHECK(line == "u1,u2,slope_x,slope_y,mx,my,mz,pdf");
+  int count = 0;
+  while (std::getline(lines, line)) {
+    const auto v = numbers(line, ',');
+    REQUIRE(v.size() == 8);
+    CHECK(v[2] == Approx(-v[4] / v[6]).margin(1e-6));
+    CHECK(v[3] == Approx(-v[5] / v[6]).margin(1e-6));
+    CHECK(-0.6 * v[4] + 0.8 * v[6] >= 0);
+    CHECK(v[7] > 0);
+    ++count;
+  }
+  CHECK(count == 5);
+  CHECK(folder.run(command + "7").out == r.out);
+  CHECK(folder.run(command + "8").out != r.out);
+}
+
+TEST_CASE("sample brings the direction to unit length") {
+  const FolderWithTables folder;
+  CHECK(folder.run("sample ggx.h5 --wi 3,0,4 --alpha 0.5").out ==
+        folder.run("sample ggx.h5 --wi 0.6,0,0.8 --alpha 0.5").out);
+}
+
+TEST_CASE("sample --stdin answers each line with the slopes, the normal and the density") {
+  const FolderWithTables folder;
+  const Result r =
+      folder.run("sample ggx.h5 --stdin", "0.6 0 0.8 1 1 0.25 0.75\n0 0 1 1 1 0.5 0.5\n");
+  std::istringstream lines(r.out);
+  std::string line;
+  std::getline(lines, line);
+  const auto first = numbers(line);
+  REQUIRE(first.size() == 6);
+  CHECK(first[0] < 4.0 / 3);
+  CHECK(first[1] > 0);
+  std::getline(lines, line);
+  const auto second = numbers(line);
+  CHECK(second[0] == Approx(0).margin(1e-5));
+  CHECK(second[1] == Approx(0).margin(1e-5));
+  CHECK(second[5] == Approx(0.318309886).epsilon(1e-5));
+  CHECK_FALSE(std::getline(lines, line));
+}
+
+TEST_CASE("the ends of u1 are minus infinity and cot(theta)") {
+  const FolderWithTables folder;
+  const Result r =
+      folder.run("sample ggx.h5 --stdin", "0.6 0 0.8 1 1 0 0.5\n0.6 0 0.8 1 1 1 0.5\n");
+  CHECK_THAT(r.out, contains("-inf "));
+  CHECK(numbers(r.out.substr(r.out.find('\n') + 1))[0] == Approx(4.0 / 3).epsilon(1e-6));
+}
+
+TEST_CASE("sample --double answers in double precision") {
+  const FolderWithTables folder;
+  const std::string line = "0.6 0 0.8 0.4 0.4 0.25 0.75\n";
+  const auto in_float = numbers(folder.run("sample ggx.h5 --stdin", line).out);
+  const auto in_double = numbers(folder.run("sample ggx.h5 --stdin --double", line).out);
+  for (std::size_t i = 0; i < 6; ++i) {
+    CHECK(in_float[i] == Approx(in_double[i]).epsilon(1e-5));
+    CHECK(in_float[i] != in_double[i]);
+  }
+}
+
+TEST_CASE(
+    "a line of standard input that cannot be sampled is named; those before it are answered") {
+  const FolderWithTables folder;
+  const std::string good = "0.6 0 0.8 1 1 0.25 0.75\n";
+  const auto refused = [&](const std::string& line, const std::string& why) {
+    const Result r = folder.run("sample ggx.h5 --stdin", good + line + "\n" + good);
+    CHECK(r.status == 1);
+    CHECK(std::count(r.out.begin(), r.out.end(), '\n') == 1);
+    CHECK_THAT(r.error, contains("line 2") && contains(why));
+  };
+  refused("0.6 0 0.8 1 1 0.25", "seven numbers");
+  refused("0.6 0 0.8 1 1 0.25 0.5 9", "more than the seven numbers");
+  refused("0.6 0 x 1 1 0.25 0.5", "seven numbers");
+  refused("0.6 0 -0.8 1 1 0.25 0.5", "horizon");
+  refused("0.6 0 0.9 1 1 0.25 0.5", "length 1");
+  refused("0.6 0 0.8 0 1 0.25 0.5", "alpha");
+  refused("0.6 0 0.8 1 1 1.25 0.5", "[0, 1]");
+  refused("0.6 0 0.8 1 1 nan 0.5", "finite");
+}
+
+TEST_CASE("converted tables give the same samples") {
+  const FolderWithTables folder;
+  REQUIRE(folder.run("convert ggx.h5 ggx.exr").status == 0);
+  REQUIRE(folder.run("convert ggx.exr back.h5").status == 0);
+  const std::string arguments = " --wi 0.3,0.5,0.4 --alpha 0.3,0.1 -n 200";
+  const std::string samples = folder.run("sample ggx.h5" + arguments).out;
+  CHECK(folder.run("sample ggx.exr" + arguments).out == samples);
+  CHECK(folder.run("sample back.h5" + arguments).out == samples);
+  CHECK(content(folder / "back.h5") == content(folder / "ggx.h5"));
+}
+
+TEST_CASE("a picture of the tables is drawn") {
+  const FolderWithTables folder;
+  REQUIRE(folder.run("picture ggx.h5 -o tables.png").status == 0);
+  CHECK(content(folder / "tables.png").substr(1, 3) == "PNG");
+  check_one_line_failure(folder.run("picture ggx.h5 -o tables.gif"), "tables.gif");
+}

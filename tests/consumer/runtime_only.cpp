@@ -1,0 +1,10 @@
+// Links the runtime alone: tables made in memory, no file library.
+#include "vndf/tabulated_sampler.h"
+
+int main() {
+  const vndf::QuantileTable rows(2, 3, {0, 0.5f, 1, 0, 0.5f, 1});
+  const vndf::LogCurve<double> curve(1, {{0, 0}, {-1, -1}});
+  const vndf::TabulatedSampler<float> sampler(vndf::share({"line", 1, rows, rows, curve, curve}));
+  const auto wm = sampler.sample({0, 0, 1}, {1, 1}, 0.5f, 0.5f);
+  return wm.z > 0 ? 0 : 1;
+}

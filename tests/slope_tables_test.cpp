@@ -1,0 +1,73 @@
+// The rules that tables must keep.
+#include "vndf/slope_tables.h"
+
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+#include "catch.h"
+
+using namespace vndf;
+using vndf::test::contains;
+
+namespace {
+
+const std::vector<float> kRows{0, 0.5f, 1, 0, 0.25f, 1};
+
+SlopeTables good_tables() {
+  const LogCurve<double> curve(1, {{0, 0}, {-1, -1}});
+  return {"test", 1, QuantileTable(2, 3, kRows), QuantileTable(2, 3, kRows), curve, curve};
+}
+
+/// What share() says of tables whose marginal value (row, column) is `value`.
+std::string refusal(std::size_t row, std::size_t column, float value) {
+  auto values = kRows;
+  values[row * 3 + column] = value;
+  auto tables = good_tables();
+  tables.marginal = QuantileTable(2, 3, values);
+  return check(tables).value_or("");
+}
+
+}  // namespace
+
+TEST_CASE("good tables are shared") {
+  CHECK(share(good_tables())->distribution == "test");
+}
+
+TEST_CASE("a value that is not a number is refused, with its place") {
+  CHECK(refusal(1, 1, std::numeric_limits<float>::quiet_NaN()) ==
+        "marginal table, row 1: column 1 is not a finite number");
+}
+
+TEST_CASE("a value outside [0, 1] is refused") {
+  CHECK(refusal(0, 2, 1.5f) == "marginal table, row 0: column 2 is outside [0, 1]");
+}
+
+TEST_CASE("a row that decreases is refused") {
+  CHECK(refusal(1, 2, 0.125f) == "marginal table, row 1: column 2 is below the column before it");
+}
+
+TEST_CASE("a row that does not begin at 0 is refused") {
+  CHECK(refusal(0, 0, 0.25f) == "marginal table, row 0: column 0 is not 0, the value of u = 0");
+}
+
+TEST_CASE("a mean slope that is not > 0 is refused") {
+  auto tables = good_tables();
+  tables.mean_slope = 0;
+  CHECK_THROWS_WITH(share(tables), contains("mean slope"));
+}
+
+TEST_CASE("missing tables and curves are refused") {
+  auto tables = good_tables();
+  tables.conditional = {};
+  CHECK_THROWS_WITH(share(tables), contains("conditional table: empty"));
+  tables = good_tables();
+  tables.log_ndf = {};
+  CHECK_THROWS_WITH(share(tables), contains("log_ndf curve: fewer than two nodes"));
+}
+
+TEST_CASE("a curve with a value that is not a number is refused") {
+  auto tables = good_tables();
+  tables.log_backfacing = {1, {{0, 0}, {std::numeric_limits<double>::infinity(), 0}}};
+  CHECK_THROWS_WITH(share(tables), contains("log_backfacing curve, node 1"));
+}

@@ -1,0 +1,128 @@
+// Curves of Q and M, the visible CDF and its inverse, against closed forms.
+#include "precompute/visible_slopes.h"
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "catch.h"
+#include "closed_forms.h"
+#include "precompute/named_distribution.h"
+#include "tolerances.h"
+
+using namespace vndf;
+using namespace vndf::precompute;
+using namespace vndf::test;
+
+namespace {
+
+const std::vector<double> kSmall{1e-12, 1e-9, 1e-6, 1e-3, 0.02, 0.1, 0.3};
+const std::vector<double> kDegrees{0, 1e-7, 0.01, 1, 10, 30, 60, 80, 89, 89.9, 89.999, 90};
+
+/// Unit slopes of a closed form, with the cotangent of an angle in their units.
+template <class Forms>
+struct Subject {
+  std::unique_ptr<SlopeDistribution> distribution = named_distribution(Forms::name);
+  UnitSlopes slopes{*distribution, {}};
+
+  struct Incidence {
+    double cosine, sine;
+    BoundedSlope<double> c;
+  };
+  Incidence at(double degrees) const {
+    const double theta = degrees * std::numbers::pi / 180;
+    const double cosine = degrees == 90 ? 0 : std::cos(theta), sine = std::sin(theta);
+    return {cosine, sine, bounded_cotangent(cosine, sine * slopes.mean_slope())};
+  }
+};
+
+template <class Forms>
+void check_curves(const std::vector<double>& places) {
+  const Subject<Forms> s;
+  const double mu = s.slopes.mean_slope();
+  CHECK(mu == Approx(Forms::mean_slope()).epsilon(kIntegralError));
+  CHECK(s.slopes.quadrature_error() < kIntegralError);
+  for (const double a : places) {
+    CAPTURE(Forms::name, a);
+    const double x = mu * std::sinh(a);
+    CHECK(s.slopes.q(a) == Approx(Forms::q(x)).epsilon(kCurveError));
+    CHECK(s.slopes.m(a) * mu == Approx(Forms::m(x)).epsilon(kCurveError));
+    CHECK(s.slopes.p_da(a) == Approx(Forms::p(x) * mu * std::cosh(a)).epsilon(1e-8));
+  }
+}
+
+/// quantile() against the closed CDF, in u; near u = 1 the closed form itself is a difference,
+/// which is why the bound is absolute.
+template <class Forms>
+void check_quantiles() {
+  const Subject<Forms> s;
+  for (const double degrees : kDegrees) {
+    const auto w = s.at(degrees);
+    const VisibleSlopes visible(s.slopes, w.c);
+    const auto error = [&](const Probability<double>& u) {
+      const double x = s.slopes.mean_slope() * std::sinh(visible.quantile(u, 0));
+      return std::abs(visible_cdf<Forms>(w.cosine, w.sine, x) - u.u);
+    };
+    for (const double e : kSmall) {
+      CAPTURE(Forms::name, degrees, e);
+      CHECK(error({e, 1 - e}) <= kQuantileError * (1 + e));
+      CHECK(error({1 - e, e}) <= kQuantileError);
+    }
+  }
+}
+
+/// cdf() undoes quantile() relative to the smaller of u and 1 - u.
+template <class Forms>
+void check_round_trip() {
+  const Subject<Forms> s;
+  for (const double degrees : kDegrees) {
+    const VisibleSlopes visible(s.slopes, s.at(degrees).c);
+    for (const double e : kSmall) {
+      CAPTURE(Forms::name, degrees, e);
+      CHECK(visible.cdf(visible.quantile({e, 1 - e}, 0)).u == Approx(e).epsilon(1e-11));
+      const auto upper = visible.cdf(visible.quantile({1 - e, e}, 0));
+      CHECK(std::abs(upper.complement - e) <= kQuantileError);
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("the curves of Q, M and P equal the closed forms between nodes") {
+  check_curves<BeckmannForms>({0, 1e-5, 0.01, 0.5, 1, 2, 2.9});
+  check_curves<GgxForms>({0, 1e-5, 0.01, 0.5, 1, 5, 12, 29.3});
+}
+
+TEST_CASE(
+    "visible quantiles invert the closed CDF to 1e-12 in u, at every incidence, in both tails") {
+  check_quantiles<BeckmannForms>();
+  check_quantiles<GgxForms>();
+}
+
+TEST_CASE("the visible CDF undoes the quantile in both tails") {
+  check_round_trip<BeckmannForms>();
+  check_round_trip<GgxForms>();
+}
+
+TEST_CASE(
+    "a visible slope lies below cot(theta): the lower end is -infinity, the upper end cot(theta)") {
+  const Subject<GgxForms> s;
+  for (const double degrees : kDegrees) {
+    const auto w = s.at(degrees);
+    const VisibleSlopes visible(s.slopes, w.c);
+    CHECK(visible.quantile({0, 1}, 0) == -std::numeric_limits<double>::infinity());
+    CHECK(visible.quantile({1, 0}, 0) == visible.farthest());
+    double last = -1000;
+    for (double u = 1e-3; u < 1; u += 1e-3) {
+      const double a = visible.quantile({u, 1 - u}, last);
+      REQUIRE(a > last);
+      REQUIRE(a <= visible.farthest());
+      last = a;
+    }
+  }
+}
+
+TEST_CASE("asinh and the bounded form of a slope convert into each other") {
+  for (const double a : {-30.0, -1.0, 0.0, 0.5, 20.0})
+    CHECK(asinh_of(bounded_from_asinh(a)) == Approx(a).margin(1e-15));
+}
