@@ -46,7 +46,7 @@ std::vector<Tick> theta_ticks(double mean_slope) {
 
 std::vector<Tick> slope_ticks(double mean_slope) {
   std::vector<Tick> list;
-  for (const double x : {0.0, 0.1, 0.5, 1.0, 2.0, 5.0, 20.0})
+  for (const double x : {0.0, 0.1, 0.5, 1.0, 2.0, 5.0})
     list.push_back({fmt::format("{}", x), conditional_row(bounded_from_slope(x / mean_slope))});
   list.push_back({"∞", 1.0});
   return list;

@@ -9,7 +9,7 @@ namespace vndf::tools {
 namespace {
 
 void line(std::string& text, std::string_view what, const std::string& value) {
-  text += fmt::format("  {:<22}{}\n", what, value);
+  text += fmt::format("  {:<24}{}\n", what, value);
 }
 
 std::string size_of(const QuantileTable& table) {
