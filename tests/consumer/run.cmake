@@ -8,7 +8,7 @@ function(run)
   endif()
 endfunction()
 
-set(options -D CONSUMER_WAY=${WAY} -D VNDF_SOURCE=${SOURCE} -D CMAKE_BUILD_TYPE=${CONFIG})
+set(options -G ${GENERATOR} -D CONSUMER_WAY=${WAY} -D VNDF_SOURCE=${SOURCE} -D CMAKE_BUILD_TYPE=${CONFIG})
 if(WAY STREQUAL "find_package")
   file(REMOVE_RECURSE ${work})
   run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${work}/installed)
