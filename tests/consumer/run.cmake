@@ -8,9 +8,10 @@ function(run)
   endif()
 endfunction()
 
-set(options -G ${GENERATOR} -D CONSUMER_WAY=${WAY} -D VNDF_SOURCE=${SOURCE} -D CMAKE_BUILD_TYPE=${CONFIG})
+file(REMOVE_RECURSE ${work})
+set(options -G ${GENERATOR} -D CONSUMER_WAY=${WAY} -D VNDF_SOURCE=${SOURCE}
+            -D CMAKE_BUILD_TYPE=${CONFIG})
 if(WAY STREQUAL "find_package")
-  file(REMOVE_RECURSE ${work})
   run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${work}/installed)
   list(APPEND options -D CMAKE_PREFIX_PATH=${work}/installed)
 endif()
