@@ -3,7 +3,8 @@
 
 #include <map>
 
-#include "precompute/named_distribution.h"
+#include "precompute/distribution_spec.h"
+#include "precompute/families.h"
 
 namespace vndf::test {
 namespace {
@@ -14,7 +15,7 @@ const precompute::BuiltTables& built(Cache& cache, const std::string& distributi
                                      const precompute::BuildOptions& options) {
   const auto found = cache.find(distribution);
   if (found != cache.end()) return found->second;
-  const auto d = precompute::named_distribution(distribution);
+  const auto d = precompute::parse_distribution(distribution);
   return cache.emplace(distribution, precompute::build_tables(*d, options)).first->second;
 }
 

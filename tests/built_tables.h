@@ -7,10 +7,10 @@
 
 namespace vndf::test {
 
-/// The shipped tables, 1024 x 1024, of "ggx" or "beckmann".
+/// Tables of 1024 x 1024, as they are shipped, of a distribution by its specification.
 const precompute::BuiltTables& large_tables(const std::string& distribution);
 
-/// 64 x 96 tables of the same.
+/// The same of 64 x 96.
 const precompute::BuiltTables& small_tables(const std::string& distribution);
 
 }  // namespace vndf::test

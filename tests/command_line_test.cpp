@@ -156,7 +156,7 @@ TEST_CASE("failures of build are one line, exit status 1, and leave nothing behi
 TEST_CASE("wrong usage is exit status 2") {
   const Folder folder;
   check_failure(folder.run(""), 2, "subcommand");
-  check_failure(folder.run("build"), 2, "distribution");
+  check_failure(folder.run("build -o a.h5"), 2, "--p22");
   check_failure(folder.run("build ggx"), 2, "--output");
   check_failure(folder.run("build ggx -o a.h5 --size 12y"), 2, "'12y'");
   check_failure(folder.run("build ggx -o a.h5 --nonsense"), 2, "nonsense");
@@ -290,4 +290,88 @@ TEST_CASE("a picture of the tables is drawn") {
   REQUIRE(folder.run("picture ggx.h5 -o tables.png").status == 0);
   CHECK(content(folder / "tables.png").substr(1, 3) == "PNG");
   check_one_line_failure(folder.run("picture ggx.h5 -o tables.gif"), "tables.gif");
+}
+
+TEST_CASE("build --list names every family with its parameters") {
+  const Folder folder;
+  const Result r = folder.run("build --list");
+  CHECK(r.status == 0);
+  for (const char* name : {"beckmann", "ggx", "student-t", "exponential-power", "hyper-cauchy", "k",
+                           "disk", "pearson-ii", "annulus", "blinn-phong", "mixture"})
+    CHECK_THAT(r.out, contains(name));
+  CHECK_THAT(r.out, contains("gamma=2.5 (> 3/2)"));
+}
+
+TEST_CASE(
+    "specifications, formulas and frozen surfaces become tables whose recipe makes them again") {
+  const Folder folder;
+  for (const std::string source : {"student-t:gamma=3", "'mixture:0.7*ggx+0.3*beckmann@0.2'",
+                                   "--p22 'exp(-k*r^2)' --param k=2.5 --name mine",
+                                   "--ndf '1/cos(theta)^4/(1+tan(theta)^2)^3'",
+                                   "--ndf 'alpha^2/(cos(theta)^2*(alpha^2-1)+1)^2'",
+                                   "--ndf 'cos(theta)^(2/alpha^2-2)' --frozen-at 0.3"}) {
+    CAPTURE(source);
+    REQUIRE(folder.run("build " + source + " -o a.h5 --size 24 --quiet").error.empty());
+    const auto info = nlohmann::json::parse(folder.run("info a.h5 --json").out);
+    const std::string first = content(folder / "a.h5");
+    fs::remove(folder / "a.h5");
+    const std::string recipe = info.at("recipe");
+    REQUIRE(recipe.substr(0, 5) == "vndf ");
+    REQUIRE(folder.run(recipe.substr(5) + " --quiet").status == 0);
+    CHECK(content(folder / "a.h5") == first);
+  }
+  CHECK_THAT(folder.run("info a.h5").out, contains("not a family in alpha"));
+}
+
+TEST_CASE("a measured profile becomes tables, with its tail and checksum in the file") {
+  const Folder folder;
+  std::ofstream csv(folder / "p.csv");
+  csv << "r,p22\n";
+  for (double r = 0; r < 20; r = r * 1.1 + 0.02) csv << r << ',' << std::pow(1 + r * r, -2) << '\n';
+  csv.close();
+  REQUIRE(folder.run("build --profile p.csv --tail power -o a.h5 --size 64 --quiet").status == 0);
+  const std::string info = folder.run("info a.h5").out;
+  CHECK_THAT(info, contains("tail: power") && contains("CRC-64") && contains("--profile p.csv"));
+}
+
+TEST_CASE("tables that miss a tolerance are not written, and by how much is told") {
+  const Folder folder;
+  check_one_line_failure(folder.run("build ggx -o a.h5 --size 16 --tolerance 1e-6"),
+                         "times the tolerance 1e-06");
+  CHECK(folder.files().empty());
+  CHECK(folder.run("build ggx -o a.h5 --size 256 --tolerance 1e-4 --quiet").status == 0);
+}
+
+TEST_CASE("what is wrong with a distribution is told before any work, in one line") {
+  const Folder folder;
+  const auto refused = [&](const std::string& source, const std::string& why) {
+    CAPTURE(source);
+    check_one_line_failure(folder.run("build " + source + " -o a.h5"), why);
+  };
+  refused("student-t:gamma=1.5", "gamma");
+  refused("student-t:gama=2", "did you mean 'gamma'");
+  refused("studnt-t", "did you mean 'student-t'");
+  refused("mixture:0.7*ggx+0.3*", "column");
+  refused("--p22 'exp(-r^2'", "column");
+  refused("--p22 'exp(-q*r)'", "'q'");
+  refused("--p22 'exp(-r^2)' --param k=2", "'k'");
+  refused("--p22 '(1-r)*exp(-r)'", "p22 is -");
+  refused("--p22 '1/(1+r^2)'", "does not converge");
+  refused("--p22 '(1+r^2)^(-1.5)'", "mean slope");
+  refused("--p22 'exp(-r)/r'", "infinite at slope radius 0");
+  refused("--ndf 'cos(theta)^(2/alpha^2-2)'", "--frozen-at");
+  refused("--ndf '1/(cos(theta)^2*(alpha^2-1)+1)^3'", "--frozen-at");
+  refused("--profile missing.csv", "missing.csv");
+  std::ofstream(folder / "bad.csv") << "r,p22\n0,1\n0.5,0.5\n0.4,0.3\n1,0.1\n";
+  refused("--profile bad.csv", "4");
+  fs::remove(folder / "bad.csv");
+  CHECK(folder.files().empty());
+}
+
+TEST_CASE("options that do not go together are wrong usage") {
+  const Folder folder;
+  check_failure(folder.run("build ggx --p22 'exp(-r)' -o a.h5"), 2, "one of");
+  check_failure(folder.run("build ggx --param k=2 -o a.h5"), 2, "--param");
+  check_failure(folder.run("build --p22 'exp(-k*r)' --param k -o a.h5"), 2, "NAME=NUMBER");
+  check_failure(folder.run("build ggx --frozen-at 0.3 -o a.h5"), 2, "--frozen-at");
 }

@@ -8,7 +8,8 @@
 
 #include "catch.h"
 #include "closed_forms.h"
-#include "precompute/named_distribution.h"
+#include "precompute/distribution_spec.h"
+#include "precompute/families.h"
 #include "tolerances.h"
 
 using namespace vndf;
@@ -22,7 +23,7 @@ const std::vector<double> kSmall{1e-12, 1e-9, 1e-6, 1e-3, 0.02, 0.1, 0.3, 0.5};
 /// `places` are slopes in the distribution's own units.
 template <class Forms>
 void check_quantiles(const std::vector<double>& places) {
-  const auto distribution = named_distribution(Forms::name);
+  const auto distribution = parse_distribution(Forms::name);
   const UnitSlopes slopes(*distribution, {});
   for (const double x : places) {
     const ConditionalSlopes conditional(slopes, x / slopes.mean_slope());
@@ -33,8 +34,8 @@ void check_quantiles(const std::vector<double>& places) {
     const auto tail = [&](double y) { return 2 * Forms::conditional(x, -y * unit); };
     for (const double e : kSmall) {
       CAPTURE(Forms::name, x, e);
-      CHECK(std::abs(tail(conditional.quantile({e, 1 - e})) - e) <= kQuantileError);
-      CHECK(std::abs(tail(conditional.quantile({1 - e, e})) - (1 - e)) <= kQuantileError);
+      CHECK(std::abs(tail(conditional.quantile({1 - e, e})) - e) <= kQuantileError);
+      CHECK(std::abs(tail(conditional.quantile({e, 1 - e})) - (1 - e)) <= kQuantileError);
       CHECK(conditional.cdf(conditional.quantile({e, 1 - e})).u == Approx(e).epsilon(1e-11));
       CHECK(conditional.cdf(conditional.quantile({1 - e, e})).complement ==
             Approx(e).epsilon(1e-11));
@@ -53,9 +54,9 @@ TEST_CASE("the ends of the conditional are infinity and 0") {
   const Ggx ggx;
   const UnitSlopes slopes(ggx, {});
   const ConditionalSlopes conditional(slopes, 0.5);
-  CHECK(conditional.quantile({0, 1}) == std::numeric_limits<double>::infinity());
-  CHECK(conditional.quantile({1, 0}) == Approx(0).margin(1e-15));
-  CHECK(conditional.cdf(0).u == Approx(1).epsilon(1e-14));
+  CHECK(conditional.quantile({1, 0}) == std::numeric_limits<double>::infinity());
+  CHECK(conditional.quantile({0, 1}) == 0);
+  CHECK(conditional.cdf(0).complement == Approx(1).epsilon(1e-14));
 }
 
 TEST_CASE("a slope where the density is lost in double precision is not reachable") {
@@ -63,4 +64,26 @@ TEST_CASE("a slope where the density is lost in double precision is not reachabl
   const UnitSlopes slopes(beckmann, {});
   CHECK(ConditionalSlopes::reachable(slopes, 10));
   CHECK_FALSE(ConditionalSlopes::reachable(slopes, 60));
+}
+
+TEST_CASE("the conditional of a disk is uniform up to its edge") {
+  const UniformDisk disk;
+  const UnitSlopes slopes(disk, {});
+  for (const double x : {0.0, 0.3, 0.9, 0.999}) {
+    const ConditionalSlopes conditional(slopes, x / slopes.mean_slope());
+    for (const double p : {1e-6, 0.25, 0.5, 0.999999}) {
+      CAPTURE(x, p);
+      CHECK(conditional.quantile({p, 1 - p}) == Approx(p).epsilon(1e-9));
+    }
+    CHECK(conditional.quantile({1, 0}) == 1);
+  }
+}
+
+TEST_CASE("the conditional of a ring leaves out its hole") {
+  const Annulus ring(0.5);
+  const UnitSlopes slopes(ring, {});
+  const ConditionalSlopes conditional(slopes, 0);
+  // Uniform in [1/2, 1].
+  CHECK(conditional.quantile({1e-9, 1 - 1e-9}) == Approx(0.5).epsilon(1e-8));
+  CHECK(conditional.quantile({0.5, 0.5}) == Approx(0.75).epsilon(1e-9));
 }

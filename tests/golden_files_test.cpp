@@ -7,7 +7,8 @@
 #include "catch.h"
 #include "io/table_file.h"
 #include "precompute/build_tables.h"
-#include "precompute/named_distribution.h"
+#include "precompute/distribution_spec.h"
+#include "precompute/families.h"
 
 using namespace vndf;
 using vndf::test::Approx;

@@ -9,7 +9,8 @@
 
 #include "built_tables.h"
 #include "catch.h"
-#include "precompute/named_distribution.h"
+#include "precompute/distribution_spec.h"
+#include "precompute/families.h"
 #include "tolerances.h"
 
 using namespace vndf;
@@ -41,7 +42,7 @@ QuantileTable changed(const QuantileTable& table,
 }
 
 Certificate judge(const std::string& distribution, SlopeTables tables) {
-  const auto d = named_distribution(distribution);
+  const auto d = parse_distribution(distribution);
   const UnitSlopes slopes(*d, {});
   return measure_certificate(slopes, share(std::move(tables)), {});
 }
@@ -95,9 +96,9 @@ TEST_CASE("a conditional that is 0.01 % too wide is found out") {
 
 TEST_CASE("a masking function that is 0.3 % off is found out") {
   SlopeTables tables = *large_tables("beckmann").tables;
-  auto nodes = tables.log_backfacing.nodes();
-  for (auto& n : nodes) n.value += 0.003;
-  tables.log_backfacing = {tables.log_backfacing.step(), nodes};
+  auto segments = tables.log_backfacing.segments();
+  for (auto& n : segments.front().nodes) n.value += 0.003;
+  tables.log_backfacing = {segments, true};
   const Certificate c = judge("beckmann", tables);
   CHECK(c.max_lambda_error > 2.5e-3);
   CHECK(c.max_pdf_error > 5e-4);

@@ -10,7 +10,8 @@
 #include "built_tables.h"
 #include "catch.h"
 #include "precompute/conditional_slopes.h"
-#include "precompute/named_distribution.h"
+#include "precompute/distribution_spec.h"
+#include "precompute/families.h"
 #include "precompute/visible_slopes.h"
 #include "vndf/tabulated_sampler.h"
 
@@ -21,15 +22,33 @@ using namespace vndf::test;
 namespace {
 
 struct Reference {
-  std::string distribution, quantity;
   double place, u, value;
 };
+
+/// How the reference file calls a distribution, and its specification here.
+struct Named {
+  std::string distribution, parameter, spec;
+};
+
+const std::vector<Named> kNamed{
+    {"beckmann", "", "beckmann"},
+    {"ggx", "", "ggx"},
+    {"student_t", "gamma=2.5", "student-t:gamma=2.5"},
+    {"student_t", "gamma=4", "student-t:gamma=4"},
+    {"exp_power", "p=0.5", "exponential-power:p=0.5"},
+    {"exp_power", "p=1", "exponential-power:p=1"},
+    {"exp_power", "p=4", "exponential-power:p=4"},
+    {"k_dist", "nu=1", "k:nu=1"},
+    {"uniform_disk", "", "disk"},
+    {"annulus", "inner=0.5", "annulus:inner=0.5"},
+    {"volcano", "", "volcano"},
+    {"mixture", "0.5*ggx(1)+0.5*beckmann(0.2)", "mixture:0.5*ggx+0.5*beckmann@0.2"}};
 
 double number(const std::string& text) {
   return text.empty() ? 0 : std::stod(text);
 }
 
-std::vector<Reference> references(const std::string& distribution, const std::string& quantity) {
+std::vector<Reference> references(const Named& named, const std::string& quantity) {
   std::ifstream file(VNDF_REFERENCE_FILE);
   if (!file) throw std::runtime_error("cannot read " VNDF_REFERENCE_FILE);
   std::vector<Reference> list;
@@ -40,17 +59,17 @@ std::vector<Reference> references(const std::string& distribution, const std::st
     std::string name, param, what, place, u, value;
     for (auto* field : {&name, &param, &what, &place, &u, &value})
       std::getline(fields, *field, ',');
-    if (name == distribution && what == quantity)
-      list.push_back({name, what, number(place), number(u), number(value)});
+    if (name == named.distribution && param == named.parameter && what == quantity)
+      list.push_back({number(place), number(u), number(value)});
   }
   return list;
 }
 
 struct Subject {
-  explicit Subject(const std::string& name)
-      : distribution(named_distribution(name)),
+  explicit Subject(const Named& named)
+      : distribution(parse_distribution(named.spec)),
         slopes(*distribution, {}),
-        built(large_tables(name)),
+        built(large_tables(named.spec)),
         sampler(built.tables) {}
 
   std::unique_ptr<SlopeDistribution> distribution;
@@ -62,13 +81,13 @@ struct Subject {
 }  // namespace
 
 TEST_CASE("visible quantiles agree with the reference values within the certificate") {
-  for (const std::string name : {"beckmann", "ggx"}) {
-    const Subject s(name);
+  for (const Named& named : kNamed) {
+    const Subject s(named);
     const double bound = s.built.certificate.marginal.max_u_error;
-    const auto list = references(name, "x_marginal");
+    const auto list = references(named, "x_marginal");
     CHECK(list.size() == 25);
     for (const auto& r : list) {
-      CAPTURE(name, r.place, r.u);
+      CAPTURE(named.spec, r.place, r.u);
       const double theta = r.place * std::numbers::pi / 180;
       const double mu = s.slopes.mean_slope();
       const VisibleSlopes visible(s.slopes,
@@ -87,36 +106,40 @@ TEST_CASE("visible quantiles agree with the reference values within the certific
 }
 
 TEST_CASE("conditional quantiles agree with the reference values within the certificate") {
-  for (const std::string name : {"beckmann", "ggx"}) {
-    const Subject s(name);
+  for (const Named& named : kNamed) {
+    const Subject s(named);
     const double mu = s.slopes.mean_slope();
-    const auto list = references(name, "y_conditional");
+    const auto list = references(named, "y_conditional");
     CHECK(list.size() == 24);
     for (const auto& r : list) {
-      CAPTURE(name, r.place, r.u);
+      CAPTURE(named.spec, r.place, r.u);
       const double x = std::abs(r.place) / mu;  // the conditional is that of |x|
       const ConditionalSlopes conditional(s.slopes, x);
+      const double support = s.slopes.support();
+      const double scale =
+          mu * (std::isinf(support) ? std::hypot(1, x) : std::sqrt((support - x) * (support + x)));
       const auto cdf = [&](double y) {
-        const double tail = conditional.cdf(std::abs(y) / std::hypot(mu, r.place)).u / 2;
+        const double tail = conditional.cdf(std::abs(y) / scale).complement / 2;
         return y < 0 ? tail : 1 - tail;
       };
       CHECK(cdf(r.value) == Approx(r.u).margin(1e-12));
       const auto bounded = bounded_from_slope(static_cast<float>(x));
       const auto folded = fold(probability(static_cast<float>(r.u)));
-      const double y = -folded.sign * s.sampler.sample_conditional(bounded, folded.q).slope();
-      CHECK(std::abs(cdf(y * std::hypot(mu, r.place)) - double{static_cast<float>(r.u)}) <=
+      const float v = s.sampler.sample_conditional(bounded, folded.p);
+      const double y = double{folded.sign} * 2 * v / ((1 - double{v}) * (1 + double{v})) * scale;
+      CHECK(std::abs(cdf(y) - double{static_cast<float>(r.u)}) <=
             s.built.certificate.conditional.max_u_error);
     }
   }
 }
 
 TEST_CASE("Lambda agrees with the reference values within the certificate") {
-  for (const std::string name : {"beckmann", "ggx"}) {
-    const Subject s(name);
-    const auto list = references(name, "Lambda_at_cot");
+  for (const Named& named : kNamed) {
+    const Subject s(named);
+    const auto list = references(named, "Lambda_at_cot");
     CHECK(list.size() == 4);
     for (const auto& r : list) {
-      CAPTURE(name, r.place);
+      CAPTURE(named.spec, r.place);
       const double mu = s.slopes.mean_slope();
       CHECK(mu * s.slopes.backfacing(r.place / mu).value / r.place ==
             Approx(r.value).epsilon(1e-12));

@@ -6,7 +6,8 @@
 
 #include "catch.h"
 #include "closed_forms.h"
-#include "precompute/named_distribution.h"
+#include "precompute/distribution_spec.h"
+#include "precompute/families.h"
 #include "tolerances.h"
 
 using namespace vndf::precompute;
@@ -33,7 +34,7 @@ void check_estimate(const Estimate& estimate, double exact) {
 template <class Forms>
 void check_at(double x) {
   CAPTURE(x, Forms::name);
-  const auto d = named_distribution(Forms::name);
+  const auto d = parse_distribution(Forms::name);
   check_estimate(marginal_density(*d, x), Forms::p(x));
   check_estimate(upper_tail(*d, x), Forms::q(x));
   check_estimate(partial_moment(*d, x), Forms::m(x));

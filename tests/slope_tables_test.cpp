@@ -15,8 +15,15 @@ namespace {
 const std::vector<float> kRows{0, 0.5f, 1, 0, 0.25f, 1};
 
 SlopeTables good_tables() {
-  const LogCurve<double> curve(1, {{0, 0}, {-1, -1}});
-  return {"test", 1, QuantileTable(2, 3, kRows), QuantileTable(2, 3, kRows), curve, curve};
+  const LogCurve<double> curve({{0, 1, Grading::none, {{0, 0}, {-1, -1}}}}, true);
+  return {.distribution = "test",
+          .mean_slope = 1,
+          .marginal = QuantileTable(2, 3, kRows),
+          .conditional = QuantileTable(2, 3, kRows),
+          .marginal_rows = {},
+          .conditional_rows = {},
+          .log_ndf = curve,
+          .log_backfacing = curve};
 }
 
 /// What share() says of tables whose marginal value (row, column) is `value`.
@@ -48,7 +55,8 @@ TEST_CASE("a row that decreases is refused") {
 }
 
 TEST_CASE("a row that does not begin at 0 is refused") {
-  CHECK(refusal(0, 0, 0.25f) == "marginal table, row 0: column 0 is not 0, the value of u = 0");
+  CHECK(refusal(0, 0, 0.25f) ==
+        "marginal table, row 0: column 0 is not 0, the value at the end of a row");
 }
 
 TEST_CASE("a mean slope that is not > 0 is refused") {
@@ -63,11 +71,39 @@ TEST_CASE("missing tables and curves are refused") {
   CHECK_THROWS_WITH(share(tables), contains("conditional table: empty"));
   tables = good_tables();
   tables.log_ndf = {};
-  CHECK_THROWS_WITH(share(tables), contains("log_ndf curve: fewer than two nodes"));
+  CHECK_THROWS_WITH(share(tables), contains("log_ndf curve: no segments"));
 }
 
-TEST_CASE("a curve with a value that is not a number is refused") {
+TEST_CASE("a curve with bad nodes or ends is refused") {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const auto refused = [](std::vector<LogCurveSegment<double>> segments, const std::string& why) {
+    auto tables = good_tables();
+    tables.log_backfacing = {std::move(segments), true};
+    CHECK_THROWS_WITH(share(tables), contains("log_backfacing curve, segment") && contains(why));
+  };
+  refused({{0, 1, Grading::none, {{0, 0}, {infinity, 0}}}}, "a node is not a finite number");
+  refused({{0, 1, Grading::none, {{0, 0}}}}, "fewer than two nodes");
+  refused({{1, 1, Grading::none, {{0, 0}, {0, 0}}}}, "ends are not increasing");
+  refused({{0, 1, static_cast<Grading>(7), {{0, 0}, {0, 0}}}}, "unknown grading");
+}
+
+TEST_CASE("a row axis whose knots do not increase from row 0 to row 1 is refused") {
+  const auto refused = [](std::vector<RowKnot> knots) {
+    auto tables = good_tables();
+    tables.conditional_rows = std::move(knots);
+    CHECK_THROWS_WITH(share(tables), contains("conditional rows"));
+  };
+  refused({{0, 0}});
+  refused({{0, 0}, {1, 0.5}});
+  refused({{0, 0}, {0.5, 0.7}, {0.4, 0.8}, {1, 1}});
+  refused({{0, 0}, {0.5, 0.5}, {0.6, 0.5}, {1, 1}});
+}
+
+TEST_CASE("a tail order that is no small power of two and a support that is not > 0 are refused") {
   auto tables = good_tables();
-  tables.log_backfacing = {1, {{0, 0}, {std::numeric_limits<double>::infinity(), 0}}};
-  CHECK_THROWS_WITH(share(tables), contains("log_backfacing curve, node 1"));
+  tables.tail_order = 3;
+  CHECK_THROWS_WITH(share(tables), contains("tail order"));
+  tables = good_tables();
+  tables.support = 0;
+  CHECK_THROWS_WITH(share(tables), contains("support"));
 }

@@ -63,31 +63,31 @@ TEST_CASE("the bounded cotangent of a direction is that of its slope") {
   CHECK(bounded_cotangent(0.0, 1.0).sigma == 0.5);
 }
 
-TEST_CASE("row coordinates and their inverses undo each other") {
+TEST_CASE("base coordinates and their inverses undo each other") {
   for (const double row : kUnit) {
     CAPTURE(row);
-    CHECK(marginal_row(marginal_row_inverse(row)) == Approx(row).margin(1e-15));
+    CHECK(marginal_base(marginal_base_inverse(row)) == Approx(row).margin(1e-15));
     const double margin = row < 0.01 ? kRowRounding : 1e-15;
-    CHECK(conditional_row(conditional_row_inverse(row)) == Approx(row).margin(margin));
+    CHECK(conditional_base(conditional_base_inverse(row)) == Approx(row).margin(margin));
   }
 }
 
-TEST_CASE("rows run from normal incidence to grazing, and from slope 0 to infinity") {
-  CHECK(marginal_row(bounded_cotangent(1.0, 0.0)) == 0);
-  CHECK(marginal_row(bounded_cotangent(0.0, 1.0)) == 1);
-  CHECK(conditional_row(bounded_from_slope(0.0)) == 0);
-  CHECK(conditional_row(bounded_from_slope(std::numeric_limits<double>::infinity())) == 1);
+TEST_CASE("base coordinates run from normal incidence to grazing, and from slope 0 to infinity") {
+  CHECK(marginal_base(bounded_cotangent(1.0, 0.0)) == 0);
+  CHECK(marginal_base(bounded_cotangent(0.0, 1.0)) == 1);
+  CHECK(conditional_base(bounded_from_slope(0.0)) == 0);
+  CHECK(conditional_base(bounded_from_slope(std::numeric_limits<double>::infinity())) == 1);
 }
 
-TEST_CASE("a conditional row serves both signs of the slope") {
-  CHECK(conditional_row(bounded_from_slope(2.5)) == conditional_row(bounded_from_slope(-2.5)));
+TEST_CASE("a conditional base coordinate serves both signs of the slope") {
+  CHECK(conditional_base(bounded_from_slope(2.5)) == conditional_base(bounded_from_slope(-2.5)));
 }
 
 TEST_CASE("column coordinates and their inverses undo each other") {
   for (const double t : kUnit) {
     CAPTURE(t);
     CHECK(marginal_column(marginal_column_inverse(t)) == Approx(t).margin(1e-15));
-    CHECK(conditional_column(conditional_column_inverse(t).u) == Approx(t).margin(1e-15));
+    CHECK(conditional_column(conditional_column_inverse(t)) == Approx(t).margin(1e-15));
   }
 }
 
@@ -95,7 +95,7 @@ TEST_CASE("columns are symmetric for the marginal and folded for the conditional
   for (const double u : {1e-12, 1e-4, 0.2, 0.5}) {
     CHECK(marginal_column(Probability<double>{u, 1 - u}) ==
           Approx(1 - marginal_column(Probability<double>{1 - u, u})).epsilon(1e-12));
-    CHECK(fold(Probability<double>{u, 1 - u}).q == fold(Probability<double>{1 - u, u}).q);
+    CHECK(fold(Probability<double>{u, 1 - u}).p.u == fold(Probability<double>{1 - u, u}).p.u);
   }
   CHECK(fold(probability(0.25)).sign == -1);
   CHECK(fold(probability(0.75)).sign == 1);
@@ -106,4 +106,30 @@ TEST_CASE("a probability outside [0, 1] goes to the nearer end, not a number to 
   CHECK(probability(2.0).u == 1);
   CHECK(probability(2.0).complement == 0);
   CHECK(probability(std::numeric_limits<double>::quiet_NaN()).u == 0);
+}
+
+TEST_CASE("u2 is folded to the probability of a smaller |y|") {
+  CHECK(fold(probability(0.25)).p.u == 0.5);
+  CHECK(fold(probability(0.25)).p.complement == 0.5);
+  CHECK(fold(probability(0.0)).p.u == 1);
+  CHECK(fold(probability(0.5)).p.u == 0);
+}
+
+TEST_CASE("an order n takes the n-th root of tau, and back") {
+  for (const int order : {1, 2, 4, 8, 16})
+    for (const double x : {-1e12, -3.0, 0.0, 0.5, 1e6}) {
+      const auto slope = bounded_from_slope(x);
+      const auto ordered = to_order(slope, order);
+      CAPTURE(order, x);
+      CHECK(std::log(ordered.sigma / ordered.complement) * order ==
+            Approx(std::asinh(x)).epsilon(1e-12));
+      CHECK(from_order(ordered, order).sigma == Approx(slope.sigma).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("a conditional value v stands for the slope 2 v / (1 - v^2)") {
+  for (const double y : {0.0, 1e-6, 0.5, 3.0, 1e5}) {
+    const double v = conditional_value(bounded_from_slope(y));
+    CHECK(2 * v / ((1 - v) * (1 + v)) == Approx(y).epsilon(1e-9));
+  }
 }

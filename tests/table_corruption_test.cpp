@@ -34,15 +34,25 @@ std::vector<float> rows() {
 }
 
 LogCurve<double> curve() {
-  std::vector<LogCurveNode<double>> nodes;
+  LogCurveSegment<double> segment{0, 4, Grading::low, {}};
   for (std::size_t i = 0; i < kNodes; ++i)
-    nodes.push_back({-std::sqrt(static_cast<double>(i)), -0.1 * static_cast<double>(i)});
-  return {0.5, nodes};
+    segment.nodes.push_back({-std::sqrt(static_cast<double>(i)), -0.1 * static_cast<double>(i)});
+  return {{segment}, true};
 }
 
 TableFile good_file() {
   const QuantileTable table(kRows, kColumns, rows());
-  return {share({"test", 1.5, table, table, curve(), curve()}), {"recipe", "program"}, {}};
+  const std::vector<RowKnot> knots{{0, 0}, {0.5, 0.25}, {1, 1}};
+  return {share({.distribution = "test",
+                 .mean_slope = 1.5,
+                 .marginal = table,
+                 .conditional = table,
+                 .marginal_rows = knots,
+                 .conditional_rows = {},
+                 .log_ndf = curve(),
+                 .log_backfacing = curve()}),
+          {"recipe", "program"},
+          {}};
 }
 
 struct FormatCase {
@@ -224,17 +234,29 @@ TEST_CASE("the content checksum depends on all that sampling depends on, and on 
   CHECK(differs([](SlopeTables& t) { t.mean_slope = 0.5; }));
   CHECK(differs([](SlopeTables& t) { t.marginal = {kColumns, kRows, rows()}; }));
   CHECK(differs([](SlopeTables& t) { t.conditional = {kRows / 2, kColumns * 2, rows()}; }));
-  CHECK(differs([](SlopeTables& t) { t.log_ndf = {0.4, t.log_ndf.nodes()}; }));
-  CHECK(differs([](SlopeTables& t) { t.log_backfacing = {0.5, {{0, 0}, {-1, 0}}}; }));
+  CHECK(differs([](SlopeTables& t) { t.support = 9; }));
+  CHECK(differs([](SlopeTables& t) { t.tail_order = 4; }));
+  CHECK(differs([](SlopeTables& t) { t.marginal_rows = {}; }));
+  CHECK(differs([](SlopeTables& t) { t.conditional_rows = {{0, 0}, {0.5, 1}}; }));
+  CHECK(differs([](SlopeTables& t) {
+    auto segments = t.log_ndf.segments();
+    segments[0].grading = Grading::none;
+    t.log_ndf = {segments, true};
+  }));
+  CHECK(differs([](SlopeTables& t) {
+    t.log_backfacing = {{{0, 0.5, Grading::none, {{0, 0}, {-1, 0}}}}, true};
+  }));
   CHECK_FALSE(differs([](SlopeTables& t) { t.distribution = "another name"; }));
 }
 
 TEST_CASE("tables that do not match their checksum are refused") {
   const auto damaged = [](const auto& change) { check_refused(change, {"damaged", "checksum"}); };
   damaged([](StoredTables& s) { s.attributes["mean_slope"] = 1.25; });
-  damaged([](StoredTables& s) { s.attributes["log_ndf_step"] = 0.25; });
+  damaged([](StoredTables& s) { s.attributes["support"] = 3.0; });
   damaged([](StoredTables& s) { s.attributes["content_checksum"] = "0"; });
-  damaged(replace("log_ndf", {{2, 2}, std::vector<double>(4)}));
+  damaged(replace("log_ndf", {{kNodes, 2}, std::vector<double>(2 * kNodes)}));
+  damaged(replace("marginal_rows", {{2, 2}, std::vector<double>{0, 0, 1, 1}}));
+  damaged(replace("log_ndf_segments", {{1, 4}, std::vector<double>{0, 5, 1, double{kNodes}}}));
   damaged(replace("marginal", {{kColumns, kRows}, rows()}));
 }
 
@@ -257,8 +279,9 @@ TEST_CASE("any attribute missing or of another type is refused") {
 }
 
 TEST_CASE("any array missing, of another type or of another shape is refused") {
-  for (const std::string name : {"marginal", "conditional", "log_ndf", "log_backfacing"}) {
-    const bool is_table = name[0] != 'l';
+  for (const std::string name :
+       {"marginal", "conditional", "log_ndf", "log_backfacing", "marginal_rows"}) {
+    const bool is_table = name == "marginal" || name == "conditional";
     const Array other_type =
         is_table ? Array{{5, 7}, std::vector<double>(35)} : Array{{9, 2}, std::vector<float>(18)};
     const std::string shape = "'" + name + "' has the shape ";
@@ -268,7 +291,7 @@ TEST_CASE("any array missing, of another type or of another shape is refused") {
     check_refused(replace(name, {{1, 3}, std::vector<float>(3)}), {shape + "1 x 3"});
     check_refused(replace(name, {{35}, std::vector<float>(35)}), {shape + "35,"}, kOnlyHdf5);
   }
-  check_refused(replace("log_ndf", {{6, 3}, std::vector<double>(18)}), {"6 x 3", "nodes x 2"});
+  check_refused(replace("log_ndf", {{6, 3}, std::vector<double>(18)}), {"6 x 3", "rows x 2"});
 }
 
 TEST_CASE("an array over the limits of the format is refused unread") {
@@ -277,4 +300,14 @@ TEST_CASE("an array over the limits of the format is refused unread") {
                 {"'marginal' has the shape 8193 x 3", "at most 8192 x 8192"});
   check_refused(replace("log_ndf", {{kLong, 2}, std::vector<double>(kLong * 2)}),
                 {"'log_ndf' has the shape 1048577 x 2"}, kOnlyHdf5);
+}
+
+TEST_CASE("segments that do not count the nodes of their curve are refused") {
+  const auto with_count = [](double count) {
+    return replace("log_ndf_segments", {{1, 4}, std::vector<double>{0, 4, 1, count}});
+  };
+  check_refused(with_count(kNodes + 1.0), {"counts more nodes"});
+  check_refused(with_count(kNodes - 1.0), {"counts fewer nodes"});
+  check_refused(with_count(-1), {"counts more nodes"});
+  check_refused(with_count(std::numeric_limits<double>::quiet_NaN()), {"counts more nodes"});
 }

@@ -48,26 +48,32 @@ std::vector<float> rows(std::size_t rows, std::size_t columns) {
   return values;
 }
 
-LogCurve<double> curve(double step, std::size_t nodes) {
-  std::vector<LogCurveNode<double>> list;
+LogCurveSegment<double> segment(double begin, double end, Grading grading, std::size_t nodes) {
+  LogCurveSegment<double> s{begin, end, grading, {}};
   for (std::size_t i = 0; i < nodes; ++i) {
-    const double a = step * static_cast<double>(i);
-    list.push_back({-a * a / 3, -2 * a * step / 3});
+    const double a = begin + static_cast<double>(i) / 3;
+    s.nodes.push_back({-a * a / 3, -2 * a / 3});
   }
-  return {step, list};
+  return s;
 }
 
 SlopeTables small_tables() {
   return {.distribution = "a test of \xce\xb1",
           .mean_slope = 1.0 / 3,
+          .support = 4,
+          .tail_order = 2,
           .marginal = {5, 7, rows(5, 7)},
           .conditional = {4, 3, rows(4, 3)},
-          .log_ndf = curve(0.1, 9),
-          .log_backfacing = curve(0.3, 2)};
+          .marginal_rows = {},
+          .conditional_rows = {{0, 0}, {0.25, 0.5}, {0.75, 1}},
+          .log_ndf = {{segment(0, 1, Grading::both, 9), segment(1, 3, Grading::low, 4)}, false},
+          .log_backfacing = {{segment(0, 3, Grading::none, 2)}, false}};
 }
 
 TableFile small_file(SlopeTables tables = small_tables()) {
-  TableFile file{share(std::move(tables)), {"vndf build --law 'a test'\n", "vndf 1.2.3"}, {}};
+  TableFile file{share(std::move(tables)),
+                 {"vndf build --law 'a test'\n", "vndf 1.2.3", "0123", "two\nlines\n"},
+                 {}};
   double figure = 1.0 / 7;
   for_each_figure(file.certificate, [&](const std::string&, double& v) { v = figure /= -3; });
   file.certificate.max_pdf_error = std::numeric_limits<double>::infinity();
@@ -154,7 +160,7 @@ TEST_CASE("the checks are those of the format page") {
   crc.add("1234");
   crc.add("56789");
   CHECK(hex_digits(crc.value()) == "995dc9bbdf1939fa");
-  CHECK(hex_digits(content_checksum(small_tables())) == "48afac9ffa674dd8");
+  CHECK(hex_digits(content_checksum(small_tables())) == "99912d07728fc7de");
 }
 
 TEST_CASE("the extension chooses the format of a new file") {

@@ -130,8 +130,8 @@ TEST_CASE("D, Lambda, G1 and pdf equal the closed forms at any roughness and inc
     for (const Alpha<double> alpha : {Alpha<double>{1, 1}, {0.1, 0.5}, {3, 0.05}}) {
       check_functions<float, GgxForms>(degrees, alpha, kFunctionError);
       check_functions<float, BeckmannForms>(degrees, alpha, kFunctionError);
-      check_functions<double, GgxForms>(degrees, alpha, 1e-9);
-      check_functions<double, BeckmannForms>(degrees, alpha, 1e-9);
+      check_functions<double, GgxForms>(degrees, alpha, kFunctionErrorInDouble);
+      check_functions<double, BeckmannForms>(degrees, alpha, kFunctionErrorInDouble);
     }
 }
 

@@ -7,12 +7,14 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "commands.h"
+#include "distribution_source.h"
 #include "io/table_file.h"
 #include "precompute/build_tables.h"
-#include "precompute/named_distribution.h"
 #include "report.h"
 
 namespace vndf::tools {
@@ -23,9 +25,11 @@ struct Size {
 };
 
 struct BuildArguments {
-  std::string distribution, output, size = "1024";
+  SourceArguments source;
+  std::string output, size = "1024";
+  std::optional<double> tolerance;
   unsigned threads = 0;
-  bool json = false, quiet = false;
+  bool json = false, quiet = false, list = false;
 };
 
 bool parse_number(std::string_view text, std::size_t& number) {
@@ -68,20 +72,39 @@ std::function<void(double)> progress_bar(const BuildArguments& arguments) {
   };
 }
 
-std::string recipe(const BuildArguments& arguments, const Size& size) {
-  return fmt::format("vndf build {} --size {}x{} -o {}", arguments.distribution, size.rows,
-                     size.columns, std::filesystem::path(arguments.output).filename().string());
+std::string recipe(const BuildArguments& arguments, const std::string& source, const Size& size) {
+  return fmt::format("vndf build {} --size {}x{} -o {}", source, size.rows, size.columns,
+                     std::filesystem::path(arguments.output).filename().string());
+}
+
+/// Tables are not written when they err by more than was asked for.
+void require_tolerance(const Certificate& certificate, double tolerance) {
+  const auto require = [&](const TableErrors& e, const char* table, const char* row) {
+    if (e.max_u_error <= tolerance) return;
+    throw std::runtime_error(fmt::format(
+        "the {} table errs by up to {:.2e} in u (at {} {:.4g}, u {:.6g}), {:.1f} times the "
+        "tolerance {:g}; ask for a larger --size or a larger --tolerance",
+        table, e.max_u_error, row, e.worst_row, e.worst_u, e.max_u_error / tolerance, tolerance));
+  };
+  require(certificate.marginal, "marginal", "theta");
+  require(certificate.conditional, "conditional", "slope");
 }
 
 void build(const BuildArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   io::format_for(arguments.output);  // refuses an unknown extension before any work
-  const auto distribution = precompute::named_distribution(arguments.distribution);
+  const auto source = make_distribution(arguments.source);
   Size size{};
   parse_size(arguments.size, size);
   const auto built = precompute::build_tables(
-      *distribution, {size.rows, size.columns, arguments.threads, progress_bar(arguments)});
-  const io::TableFile file{built.tables, {recipe(arguments, size), kProgram}, built.certificate};
+      *source.distribution, {size.rows, size.columns, arguments.threads, progress_bar(arguments)});
+  if (arguments.tolerance) require_tolerance(built.certificate, *arguments.tolerance);
+  const io::TableFile file{built.tables,
+                           {.recipe = recipe(arguments, source.options, size),
+                            .program = kProgram,
+                            .input_checksum = source.input_checksum,
+                            .notes = source.notes},
+                           built.certificate};
   io::save(arguments.output, file);
 
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
@@ -106,21 +129,29 @@ void build(const BuildArguments& arguments) {
 void add_build(CLI::App& app) {
   auto* command = app.add_subcommand("build", "Build the tables of a slope distribution");
   const auto arguments = std::make_shared<BuildArguments>();
-  std::string names;
-  for (const auto& name : precompute::distribution_names())
-    names += (names.empty() ? "" : ", ") + name;
-  command->add_option("distribution", arguments->distribution, "One of: " + names)->required();
-  command
-      ->add_option("-o,--output", arguments->output, "File to write: .h5 (HDF5) or .exr (OpenEXR)")
-      ->required();
+  add_source_options(*command, arguments->source);
+  command->add_option("-o,--output", arguments->output,
+                      "File to write: .h5 (HDF5) or .exr (OpenEXR)");
   command->add_option("--size", arguments->size, "Nodes per axis, N or NTHETAxNU, of both tables")
       ->capture_default_str()
       ->check(CLI::Validator(size_rule, "N|NTHETAxNU"));
+  command
+      ->add_option("--tolerance", arguments->tolerance,
+                   "Largest u-error to accept; tables that exceed it are not written")
+      ->check(CLI::PositiveNumber);
   command->add_option("--threads", arguments->threads, "Threads; 0 for one per processor")
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "Print the report as one JSON object");
   command->add_flag("--quiet", arguments->quiet, "Print nothing, draw no progress bar");
-  command->callback([arguments] { build(*arguments); });
+  command->add_flag("--list", arguments->list, "List the named distributions and stop");
+  command->callback([arguments] {
+    if (arguments->list) {
+      std::cout << list_of_families();
+      return;
+    }
+    if (arguments->output.empty()) throw CLI::RequiredError("--output");
+    build(*arguments);
+  });
 }
 
 }  // namespace vndf::tools

@@ -34,21 +34,25 @@ std::string ticks(const std::vector<Tick>& list) {
   return "(" + text + ")";
 }
 
-std::vector<Tick> theta_ticks(double mean_slope) {
+std::vector<Tick> theta_ticks(const SlopeTables& t) {
+  const RowAxis<double> rows(t.marginal_rows);
   std::vector<Tick> list;
   for (const double degrees : {0.0, 1.0, 5.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0}) {
     const double theta = degrees * std::numbers::pi / 180;
-    const auto c = bounded_cotangent(std::cos(theta), mean_slope * std::sin(theta));
-    list.push_back({fmt::format("{}", degrees), marginal_row(c)});
+    const auto c = bounded_cotangent(std::cos(theta), t.mean_slope * std::sin(theta));
+    list.push_back({fmt::format("{}", degrees), rows.row(marginal_base(c))});
   }
   return list;
 }
 
-std::vector<Tick> slope_ticks(double mean_slope) {
+std::vector<Tick> slope_ticks(const SlopeTables& t) {
+  const RowAxis<double> rows(t.conditional_rows);
   std::vector<Tick> list;
   for (const double x : {0.0, 0.1, 0.5, 1.0, 2.0, 5.0})
-    list.push_back({fmt::format("{}", x), conditional_row(bounded_from_slope(x / mean_slope))});
-  list.push_back({"∞", 1.0});
+    if (x < t.mean_slope * t.support)
+      list.push_back(
+          {fmt::format("{}", x), rows.row(conditional_base(bounded_from_slope(x / t.mean_slope)))});
+  if (t.conditional_rows.empty()) list.push_back({"∞", 1.0});
   return list;
 }
 
@@ -61,8 +65,8 @@ std::vector<Tick> u1_ticks() {
 
 std::vector<Tick> u2_ticks() {
   std::vector<Tick> list;
-  for (const double u : {0.0, 1e-5, 1e-3, 0.01, 0.05, 0.2, 0.5})
-    list.push_back({fmt::format("{:g}", u), conditional_column(2 * u)});
+  for (const double u : {0.5, 0.8, 0.95, 0.99, 0.999, 0.99999, 1.0})
+    list.push_back({fmt::format("{:g}", u), conditional_column(fold(probability(u)).p)});
   return list;
 }
 
@@ -98,9 +102,9 @@ std::string script(const SlopeTables& t, const std::string& output, const std::s
       "'#fde725')\n",
       terminal, output);
   text += panel("$marginal", "Marginal table (" + t.distribution + "): σ(x) / σ(cot θ)", "u_1",
-                "θ (degrees)", u1_ticks(), theta_ticks(t.mean_slope));
-  text += panel("$conditional", "Conditional table: 2 σ(y / √(1 + x²))", "u_2", "|x|", u2_ticks(),
-                slope_ticks(t.mean_slope));
+                "θ (degrees)", u1_ticks(), theta_ticks(t));
+  text += panel("$conditional", "Conditional table: 2 σ(y / scale) - 1", "u_2", "|x|", u2_ticks(),
+                slope_ticks(t));
   return text + "unset multiplot\n";
 }
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <sstream>
 
 namespace vndf::tools {
 namespace {
@@ -38,6 +38,10 @@ std::string describe(const io::TableFile& file) {
   std::string text = fmt::format("{} slopes\n", t.distribution);
   line(text, "made by", file.provenance.recipe);
   line(text, "with", file.provenance.program);
+  if (!file.provenance.input_checksum.empty())
+    line(text, "from a file of", "CRC-64 " + file.provenance.input_checksum);
+  std::istringstream notes(file.provenance.notes);
+  for (std::string note; std::getline(notes, note);) line(text, "", note);
   line(text, "mean slope E|X|", fmt::format("{:.10g}", t.mean_slope));
   line(text, "marginal table", size_of(t.marginal) + "   (theta, u1)");
   line(text, "conditional table", size_of(t.conditional) + "   (|x|, u2)");
@@ -60,6 +64,8 @@ nlohmann::ordered_json to_json(const io::TableFile& file) {
   return {{"distribution", t.distribution},
           {"recipe", file.provenance.recipe},
           {"program", file.provenance.program},
+          {"input_checksum", file.provenance.input_checksum},
+          {"notes", file.provenance.notes},
           {"mean_slope", t.mean_slope},
           {"marginal_size", {t.marginal.rows(), t.marginal.columns()}},
           {"conditional_size", {t.conditional.rows(), t.conditional.columns()}},

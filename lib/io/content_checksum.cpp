@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 #include <string_view>
+#include <vector>
 
 #include "io/crc64.h"
 #include "io/table_format.h"
@@ -42,12 +43,25 @@ void add_table(Crc64& crc, const QuantileTable& table) {
   for (std::size_t i = 0; i < table.rows(); ++i) add_row(crc, table.row(i), table.columns());
 }
 
+void add_axis(Crc64& crc, const std::vector<RowKnot>& knots) {
+  add_count(crc, knots.size());
+  for (const auto& knot : knots) {
+    add_number(crc, knot.base);
+    add_number(crc, knot.row);
+  }
+}
+
 void add_curve(Crc64& crc, const LogCurve<double>& curve) {
-  add_number(crc, curve.step());
-  add_count(crc, curve.nodes().size());
-  for (const auto& node : curve.nodes()) {
-    add_number(crc, node.value);
-    add_number(crc, node.tangent);
+  add_count(crc, curve.segments().size());
+  for (const auto& segment : curve.segments()) {
+    add_number(crc, segment.begin);
+    add_number(crc, segment.end);
+    add_count(crc, static_cast<std::size_t>(segment.grading));
+    add_count(crc, segment.nodes.size());
+    for (const auto& node : segment.nodes) {
+      add_number(crc, node.value);
+      add_number(crc, node.tangent);
+    }
   }
 }
 
@@ -58,8 +72,12 @@ std::uint64_t content_checksum(const SlopeTables& tables) {
   add_text(crc, kCoordinates);
   add_text(crc, kInterpolation);
   add_number(crc, tables.mean_slope);
+  add_number(crc, tables.support);
+  add_count(crc, static_cast<std::size_t>(tables.tail_order));
   add_table(crc, tables.marginal);
   add_table(crc, tables.conditional);
+  add_axis(crc, tables.marginal_rows);
+  add_axis(crc, tables.conditional_rows);
   add_curve(crc, tables.log_ndf);
   add_curve(crc, tables.log_backfacing);
   return crc.value();

@@ -2,6 +2,7 @@
 #include "io/stored_tables.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -13,6 +14,7 @@ namespace {
 
 using Shape = std::vector<std::size_t>;
 
+constexpr std::size_t kSegmentColumns = 4;
 constexpr char kRemake[] = "make the file again with its recipe";
 
 std::string certificate_name(const std::string& figure) {
@@ -49,11 +51,36 @@ Array stored(const QuantileTable& table) {
   return {{table.rows(), table.columns()}, std::move(values)};
 }
 
-Array stored(const LogCurve<double>& curve) {
+/// Without knots the axis is written as the identity that it is: a file has no empty arrays.
+Array stored(std::vector<RowKnot> knots) {
+  if (knots.empty()) knots = {{0, 0}, {1, 1}};
   std::vector<double> values;
-  values.reserve(2 * curve.nodes().size());
-  for (const auto& node : curve.nodes()) values.insert(values.end(), {node.value, node.tangent});
-  return {{curve.nodes().size(), 2}, std::move(values)};
+  for (const auto& knot : knots) values.insert(values.end(), {knot.base, knot.row});
+  return {{knots.size(), 2}, std::move(values)};
+}
+
+std::size_t node_count(const LogCurve<double>& curve) {
+  std::size_t count = 0;
+  for (const auto& segment : curve.segments()) count += segment.nodes.size();
+  return count;
+}
+
+/// The nodes of all segments, one after the other.
+Array stored_nodes(const LogCurve<double>& curve) {
+  std::vector<double> values;
+  values.reserve(2 * node_count(curve));
+  for (const auto& segment : curve.segments())
+    for (const auto& node : segment.nodes) values.insert(values.end(), {node.value, node.tangent});
+  return {{node_count(curve), 2}, std::move(values)};
+}
+
+/// Begin, end, grading and number of nodes of each segment.
+Array stored_segments(const LogCurve<double>& curve) {
+  std::vector<double> values;
+  for (const auto& segment : curve.segments())
+    values.insert(values.end(), {segment.begin, segment.end, static_cast<double>(segment.grading),
+                                 static_cast<double>(segment.nodes.size())});
+  return {{curve.segments().size(), kSegmentColumns}, std::move(values)};
 }
 
 void check_size(const char* name, const QuantileTable& table) {
@@ -64,7 +91,7 @@ void check_size(const char* name, const QuantileTable& table) {
 }
 
 void check_size(const char* name, const LogCurve<double>& curve) {
-  if (curve.nodes().size() > kMaxCurveNodes)
+  if (node_count(curve) > kMaxCurveNodes)
     throw Refusal(std::string("the curve ") + name + " is longer than the format allows (" +
                       std::to_string(kMaxCurveNodes) + " nodes)",
                   "make a shorter one");
@@ -88,6 +115,8 @@ void check_can_be_stored(const TableFile& file) {
   check_size("distribution", file.tables->distribution);
   check_size("recipe", file.provenance.recipe);
   check_size("program", file.provenance.program);
+  check_size("input_checksum", file.provenance.input_checksum);
+  check_size("notes", file.provenance.notes);
 }
 
 // From the file.
@@ -155,26 +184,75 @@ QuantileTable table_of(const StoredTables& stored, const std::string& name) {
   return {a.shape[0], a.shape[1], values_of<std::vector<float>>(a, name)};
 }
 
-LogCurve<double> curve_of(const StoredTables& stored, const std::string& name) {
+/// The values of an array of `columns` numbers a row, with its rows.
+struct Rows {
+  const std::vector<double>& values;
+  std::size_t count;
+};
+
+Rows rows_of(const StoredTables& stored, const std::string& name, std::size_t columns,
+             std::size_t least) {
   const Array& a = array(stored, name);
-  if (a.shape.size() != 2 || a.shape[1] != 2 || a.shape[0] < 2 || a.shape[0] > kMaxCurveNodes)
-    throw Refusal("the array '" + name + "' has the shape " + text_of(a.shape) +
-                      ", not nodes x 2 with 2 to " + std::to_string(kMaxCurveNodes) + " nodes",
+  if (a.shape.size() != 2 || a.shape[1] != columns || a.shape[0] < least ||
+      a.shape[0] > kMaxCurveNodes)
+    throw Refusal("the array '" + name + "' has the shape " + text_of(a.shape) + ", not rows x " +
+                      std::to_string(columns) + " with " + std::to_string(least) + " to " +
+                      std::to_string(kMaxCurveNodes) + " rows",
                   kRemake);
-  const auto& values = values_of<std::vector<double>>(a, name);
-  std::vector<LogCurveNode<double>> nodes;
-  nodes.reserve(a.shape[0]);
-  for (std::size_t i = 0; i < a.shape[0]; ++i) nodes.push_back({values[2 * i], values[2 * i + 1]});
-  return {attribute<double>(stored, name + "_step"), std::move(nodes)};
+  return {values_of<std::vector<double>>(a, name), a.shape[0]};
+}
+
+std::vector<RowKnot> axis_of(const StoredTables& stored, const std::string& name) {
+  const Rows rows = rows_of(stored, name, 2, 2);
+  std::vector<RowKnot> knots;
+  for (std::size_t i = 0; i < rows.count; ++i)
+    knots.push_back({rows.values[2 * i], rows.values[2 * i + 1]});
+  const bool identity = knots.size() == 2 && knots[0].base == 0 && knots[1].base == 1;
+  return identity ? std::vector<RowKnot>{} : knots;
+}
+
+/// A whole number kept as float64, or a value that no check accepts.
+std::size_t count_of(double value) {
+  return value >= 0 && value <= static_cast<double>(kMaxCurveNodes)
+             ? static_cast<std::size_t>(value)
+             : kMaxCurveNodes + 1;
+}
+
+LogCurve<double> curve_of(const StoredTables& stored, const std::string& name, bool open) {
+  const Rows nodes = rows_of(stored, name, 2, 2);
+  const Rows segments = rows_of(stored, name + "_segments", kSegmentColumns, 1);
+  std::vector<LogCurveSegment<double>> list;
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < segments.count; ++i) {
+    const double* s = segments.values.data() + kSegmentColumns * i;
+    list.push_back(
+        {s[0], s[1], static_cast<Grading>(std::min(count_of(s[2]), std::size_t{3})), {}});
+    const std::size_t count = count_of(s[3]);
+    if (count > nodes.count - next)
+      throw Refusal("the array '" + name + "_segments' counts more nodes than '" + name + "' has",
+                    kRemake);
+    for (const std::size_t end = next + count; next < end; ++next)
+      list.back().nodes.push_back({nodes.values[2 * next], nodes.values[2 * next + 1]});
+  }
+  if (next != nodes.count)
+    throw Refusal("the array '" + name + "_segments' counts fewer nodes than '" + name + "' has",
+                  kRemake);
+  return {std::move(list), open};
 }
 
 SlopeTables tables_of(const StoredTables& stored) {
+  const double support = attribute<double>(stored, "support");
+  const bool open = std::isinf(support);
   return {.distribution = attribute<std::string>(stored, "distribution"),
           .mean_slope = attribute<double>(stored, "mean_slope"),
+          .support = support,
+          .tail_order = attribute<int>(stored, "tail_order"),
           .marginal = table_of(stored, "marginal"),
           .conditional = table_of(stored, "conditional"),
-          .log_ndf = curve_of(stored, "log_ndf"),
-          .log_backfacing = curve_of(stored, "log_backfacing")};
+          .marginal_rows = axis_of(stored, "marginal_rows"),
+          .conditional_rows = axis_of(stored, "conditional_rows"),
+          .log_ndf = curve_of(stored, "log_ndf", open),
+          .log_backfacing = curve_of(stored, "log_backfacing", open)};
 }
 
 void check_content(const StoredTables& stored, const SlopeTables& tables) {
@@ -205,7 +283,7 @@ Certificate certificate_of(const StoredTables& stored) {
 bool may_read(const Shape& shape) {
   if (shape.size() != 2 || shape[0] == 0 || shape[1] == 0) return false;
   const bool like_table = shape[0] <= kMaxTableSide && shape[1] <= kMaxTableSide;
-  const bool like_curve = shape[0] <= kMaxCurveNodes && shape[1] <= 2;
+  const bool like_curve = shape[0] <= kMaxCurveNodes && shape[1] <= kSegmentColumns;
   return like_table || like_curve;
 }
 
@@ -218,20 +296,26 @@ StoredTables to_stored(const TableFile& file) {
                        {"format_minor", kFormatMinor},
                        {"program", file.provenance.program},
                        {"recipe", file.provenance.recipe},
+                       {"input_checksum", file.provenance.input_checksum},
+                       {"notes", file.provenance.notes},
                        {"distribution", tables.distribution},
                        {"coordinates", kCoordinates},
                        {"interpolation", kInterpolation},
                        {"mean_slope", tables.mean_slope},
-                       {"log_ndf_step", tables.log_ndf.step()},
-                       {"log_backfacing_step", tables.log_backfacing.step()},
+                       {"support", tables.support},
+                       {"tail_order", tables.tail_order},
                        {"content_checksum", hex_digits(content_checksum(tables))}};
   for_each_figure(file.certificate, [&](const std::string& name, double value) {
     result.attributes[certificate_name(name)] = value;
   });
   result.arrays = {{"marginal", stored(tables.marginal)},
                    {"conditional", stored(tables.conditional)},
-                   {"log_ndf", stored(tables.log_ndf)},
-                   {"log_backfacing", stored(tables.log_backfacing)}};
+                   {"marginal_rows", stored(tables.marginal_rows)},
+                   {"conditional_rows", stored(tables.conditional_rows)},
+                   {"log_ndf", stored_nodes(tables.log_ndf)},
+                   {"log_ndf_segments", stored_segments(tables.log_ndf)},
+                   {"log_backfacing", stored_nodes(tables.log_backfacing)},
+                   {"log_backfacing_segments", stored_segments(tables.log_backfacing)}};
   return result;
 }
 
@@ -241,7 +325,9 @@ TableFile from_stored(const StoredTables& stored) {
   check_content(stored, tables);
   return {.tables = checked(std::move(tables)),
           .provenance = {.recipe = attribute<std::string>(stored, "recipe"),
-                         .program = attribute<std::string>(stored, "program")},
+                         .program = attribute<std::string>(stored, "program"),
+                         .input_checksum = attribute<std::string>(stored, "input_checksum"),
+                         .notes = attribute<std::string>(stored, "notes")},
           .certificate = certificate_of(stored)};
 }
 

@@ -20,7 +20,7 @@ inline constexpr char kInterpolation[] = "linear rows, monotone cubic columns";
 
 /// Limits that a reader checks before it allocates, and a writer so that every file can be read.
 inline constexpr std::size_t kMaxTableSide = 8192;         ///< rows or columns of a table
-inline constexpr std::size_t kMaxCurveNodes = 1u << 20;    ///< nodes of a curve
+inline constexpr std::size_t kMaxCurveNodes = 1u << 20;    ///< nodes of a curve or knots of an axis
 inline constexpr std::uintmax_t kMaxFileBytes = 1u << 30;  ///< whole file
 inline constexpr std::size_t kMaxTextBytes = 60000;  ///< one text; HDF5 holds just under 64 KiB
 

@@ -22,6 +22,7 @@ struct Bracket {
 template <class F>
 double bracketed_newton(F f, Bracket bracket, double guess) {
   constexpr double kResolution = 4 * std::numeric_limits<double>::epsilon();
+  constexpr double kLastStep = 1e-9;
   const auto middle = [&] { return bracket.low + (bracket.high - bracket.low) / 2; };
   const auto inside = [&](double x) { return x > bracket.low && x < bracket.high; };
   double x = inside(guess) ? guess : middle();
@@ -30,7 +31,10 @@ double bracketed_newton(F f, Bracket bracket, double guess) {
     if (at.value == 0) return x;
     (at.value > 0 ? bracket.low : bracket.high) = x;
     const double step = -at.value / at.slope;
-    if (std::abs(step) <= kResolution * std::max(1.0, std::abs(x))) return x;
+    // Newton's method squares the error: after a step this small, the next would be lost in
+    // rounding.
+    const double enough = std::max(kResolution, kLastStep * std::abs(x));
+    if (std::abs(step) <= enough) return inside(x + step) ? x + step : x;
     x = inside(x + step) ? x + step : middle();
   }
   return x;

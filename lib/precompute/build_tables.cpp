@@ -2,15 +2,16 @@
 #include "precompute/build_tables.h"
 
 #include <algorithm>
-#include <atomic>
-#include <boost/math/differentiation/finite_difference.hpp>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "precompute/conditional_slopes.h"
+#include "precompute/make_curve.h"
 #include "precompute/measure_certificate.h"
+#include "precompute/place_rows.h"
 #include "precompute/visible_slopes.h"
 
 namespace vndf::precompute {
@@ -25,77 +26,149 @@ constexpr double kFarthestCurve = 20;
 // The last row of the conditional table stands for |x| = infinity; there all limits are reached to
 // one part in 1e16.
 constexpr double kLargestSlope = 1e8;
+// A tail M ~ x^-kappa is stored at an order n with n kappa at least this: values then go to 0 no
+// faster than the fifth power of the column.
+constexpr double kSlowestDecay = 0.3;
+constexpr int kLargestOrder = 16;
+
+constexpr double kSmallestMass = 1e-60;
+constexpr double kFarthestStep = 1e-3;
+
+using Probabilities = std::vector<Probability<double>>;
 
 double coordinate(std::size_t i, std::size_t n) {
   return static_cast<double>(i) / static_cast<double>(n - 1);
 }
 
-void fill_marginal_row(const UnitSlopes& slopes, double row, std::size_t columns, float* w) {
-  const BoundedSlope<double> c = marginal_row_inverse(row);
-  const VisibleSlopes visible(slopes, c);
+int tail_order(const UnitSlopes& slopes) {
+  int order = 1;
+  while (order < kLargestOrder && order * slopes.tail_exponent() < kSlowestDecay) order *= 2;
+  return order;
+}
+
+BoundedSlope<double> ordered(double a, int order) {
+  return bounded_from_asinh(a / order);  // tau^(1/n) = exp(a / n)
+}
+
+std::vector<double> marginal_values(const UnitSlopes& slopes, int order, double base,
+                                    const Probabilities& u) {
+  const VisibleSlopes visible(slopes, marginal_base_inverse(base));
+  const double farthest = bounded_from_asinh(visible.farthest()).sigma;
+  std::vector<double> values;
   double a = -1;
-  for (std::size_t j = 0; j < columns; ++j) {
-    const double quantile = visible.quantile(marginal_column_inverse(coordinate(j, columns)), a);
-    w[j] = static_cast<float>(bounded_from_asinh(quantile).sigma / c.sigma);
+  for (const auto& p : u) {
+    const double quantile = visible.quantile(p, a);
+    values.push_back(ordered(quantile, order).sigma / farthest);
     if (std::isfinite(quantile)) a = quantile;
   }
+  return values;
 }
 
-/// False, leaving `w` alone, where no sample can land.
-bool fill_conditional_row(const UnitSlopes& slopes, double row, std::size_t columns, float* w) {
-  const double x = std::min(conditional_row_inverse(row).slope(), kLargestSlope);
-  if (!ConditionalSlopes::reachable(slopes, x)) return false;
+/// Empty where no sample can land.
+std::vector<double> conditional_values(const UnitSlopes& slopes, double base,
+                                       const Probabilities& p) {
+  const double x = std::min(conditional_base_inverse(base).slope(), kLargestSlope);
+  if (!ConditionalSlopes::reachable(slopes, x)) return {};
   const ConditionalSlopes conditional(slopes, x);
-  for (std::size_t j = 0; j < columns; ++j) {
-    const double y = conditional.quantile(conditional_column_inverse(coordinate(j, columns)));
-    w[j] = static_cast<float>(2 * bounded_from_slope(-y).sigma);
+  std::vector<double> values;
+  for (const auto& at : p)
+    values.push_back(conditional_value(bounded_from_slope(conditional.quantile(at))));
+  return values;
+}
+
+RowSource marginal_source(const UnitSlopes& slopes, int order) {
+  RowSource source{[&slopes, order](double base, const Probabilities& u) {
+                     return marginal_values(slopes, order, base, u);
+                   },
+                   marginal_column_inverse<double>};
+  for (const double r : slopes.distribution().breaks())
+    source.breaks.push_back(marginal_base(bounded_from_slope(r / slopes.mean_slope())));
+  std::sort(source.breaks.begin(), source.breaks.end());
+  return source;
+}
+
+/// asinh of the slope beyond which the partial moment, and with it the visible mass at any
+/// incidence, is below any probability in a table; infinite for power tails.
+double farthest_sampled(const UnitSlopes& slopes) {
+  if (std::isfinite(slopes.support())) return std::asinh(slopes.support());
+  if (std::isfinite(slopes.tail_exponent())) return std::numeric_limits<double>::infinity();
+  double a = 0;
+  while (slopes.m(a) > kSmallestMass) a += kFarthestStep;
+  return a;
+}
+
+RowSource conditional_source(const UnitSlopes& slopes) {
+  RowSource source{[&slopes](double base, const Probabilities& p) {
+                     return conditional_values(slopes, base, p);
+                   },
+                   conditional_column_inverse<double>};
+  source.end = conditional_base(bounded_from_asinh(farthest_sampled(slopes)));
+  for (const double r : slopes.distribution().breaks()) {
+    const double base = conditional_base(bounded_from_slope(r / slopes.mean_slope()));
+    if (base < source.end) source.breaks.push_back(base);
   }
-  return true;
+  return source;
 }
 
-/// Rows beyond the last slope that a sample can reach repeat the row before them.
-void repeat_last_row(std::vector<float>& values, std::size_t columns,
-                     const std::vector<char>& filled) {
-  for (std::size_t i = 1; i < filled.size(); ++i)
-    if (!filled[i]) {
-      const auto row = values.begin() + static_cast<std::ptrdiff_t>(i * columns);
-      std::copy(row - static_cast<std::ptrdiff_t>(columns), row, row);
-    }
-}
+/// Values, row-major, of a table that is being filled.
+struct Filling {
+  const RowSource& source;
+  RowAxis<double> axis;
+  std::size_t rows, columns;
+  Probabilities u = {};
+  std::vector<float> values = {};
+  std::vector<char> filled = {};
 
-/// Samples log f at slopes sinh(a), from a = 0 to the end of f. `log_slope(a)` is d log f / da.
-template <class F, class G>
-LogCurve<double> make_curve(F f, G log_slope, const Workers& workers) {
+  Filling(const RowSource& from, const std::vector<RowKnot>& knots, const BuildOptions& options)
+      : source(from), axis(knots), rows(options.rows), columns(options.columns) {
+    for (std::size_t j = 0; j < columns; ++j)
+      u.push_back(source.column_inverse(coordinate(j, columns)));
+    values.resize(rows * columns);
+    filled.resize(rows);
+  }
+
+  void fill_row(std::size_t i) {
+    const auto row = source.row(axis.base(coordinate(i, rows)), u);
+    filled[i] = !row.empty();
+    const auto to = values.begin() + static_cast<std::ptrdiff_t>(i * columns);
+    std::transform(row.begin(), row.end(), to, [](double v) { return static_cast<float>(v); });
+  }
+
+  /// Rows beyond the last slope that a sample can reach repeat the row before them.
+  QuantileTable table() {
+    for (std::size_t i = 1; i < rows; ++i)
+      if (!filled[i]) {
+        const auto row = values.begin() + static_cast<std::ptrdiff_t>(i * columns);
+        std::copy(row - static_cast<std::ptrdiff_t>(columns), row, row);
+      }
+    return {rows, columns, values};
+  }
+};
+
+/// Samples log f(slope) to the end of f.
+template <class F>
+LogCurve<double> curve_of(const UnitSlopes& slopes, F f, const Workers& workers) {
   double end = kFarthestCurve;
-  while (!(f(std::sinh(end)) > kSmallestCurveValue)) end *= 0.95;
-  const double step = end / (kCurveNodes - 1);
-  std::vector<LogCurveNode<double>> nodes(kCurveNodes);
-  parallel_for(kCurveNodes, workers, [&](std::size_t k) {
-    const double a = step * static_cast<double>(k);
-    nodes[k] = {std::log(f(std::sinh(a))), log_slope(a) * step};
-  });
-  return {step, std::move(nodes)};
+  while (!(f(std::sinh(end)) > kSmallestCurveValue) && end > 1e-3) end *= 0.95;
+  const bool open = std::isinf(slopes.support());
+  const auto ends = segment_ends(slopes.distribution(), slopes.mean_slope(), end);
+  return make_curve([&](double a) { return std::log(f(std::sinh(a))); }, ends,
+                    {.nodes = kCurveNodes, .open = open, .cusp = true}, workers);
 }
 
 LogCurve<double> ndf_curve(const UnitSlopes& slopes, const Workers& workers) {
+  // A singular centre is approached, not reached.
+  constexpr double kCentre = 1e-12;
   const auto ndf = [&](double r) {
     const double square = 1 + r * r;
-    return slopes.p22(r) * square * square;
+    return slopes.p22(std::max(r, kCentre)) * square * square;
   };
-  // p22 has no derivative of its own; differences of order 6 leave an error near 1e-13.
-  const auto log_ndf = [&](double a) { return std::log(ndf(std::abs(std::sinh(a)))); };
-  const auto log_slope = [&](double a) {
-    return boost::math::differentiation::finite_difference_derivative(log_ndf, a);
-  };
-  return make_curve(ndf, log_slope, workers);
+  return curve_of(slopes, ndf, workers);
 }
 
 LogCurve<double> backfacing_curve(const UnitSlopes& slopes, const Workers& workers) {
-  const auto area = [&](double c) { return slopes.backfacing(c).value; };
-  const auto log_slope = [&](double a) {  // dB = -Q dc
-    return -slopes.upper_tail(std::sinh(a)).value * std::cosh(a) / area(std::sinh(a));
-  };
-  return make_curve(area, log_slope, workers);
+  return curve_of(
+      slopes, [&](double c) { return slopes.backfacing(c).value; }, workers);
 }
 
 void require_size(std::size_t rows, std::size_t columns) {
@@ -111,28 +184,32 @@ BuiltTables build_tables(const SlopeDistribution& distribution, const BuildOptio
   const Workers quiet{options.threads};
   const UnitSlopes slopes(distribution, quiet);
 
-  const std::size_t rows = options.rows, columns = options.columns;
-  std::vector<float> marginal(rows * columns), conditional(rows * columns);
-  std::vector<char> filled(rows, true);
+  const int order = tail_order(slopes);
+  const RowSource marginal_rows = marginal_source(slopes, order);
+  const RowSource conditional_rows = conditional_source(slopes);
+  const auto marginal_knots = place_rows(marginal_rows, options.rows, quiet);
+  const auto conditional_knots = place_rows(conditional_rows, options.rows, quiet);
+  Filling marginal(marginal_rows, marginal_knots, options);
+  Filling conditional(conditional_rows, conditional_knots, options);
+
+  const std::size_t pieces = 2 * options.rows;
   Workers workers{options.threads};
   if (options.progress)
-    workers.progress = [&](std::size_t done) { options.progress(coordinate(done, 2 * rows + 1)); };
-  parallel_for(2 * rows, workers, [&](std::size_t piece) {
-    const std::size_t i = piece / 2;
-    const double row = coordinate(i, rows);
-    if (piece % 2 == 0)
-      fill_marginal_row(slopes, row, columns, marginal.data() + i * columns);
-    else
-      filled[i] = fill_conditional_row(slopes, row, columns, conditional.data() + i * columns);
+    workers.progress = [&](std::size_t done) { options.progress(coordinate(done, pieces + 1)); };
+  parallel_for(pieces, workers, [&](std::size_t piece) {
+    (piece % 2 == 0 ? marginal : conditional).fill_row(piece / 2);
   });
-  repeat_last_row(conditional, columns, filled);
 
-  SlopeTables tables{distribution.name(),
-                     slopes.mean_slope(),
-                     QuantileTable(rows, columns, marginal),
-                     QuantileTable(rows, columns, conditional),
-                     ndf_curve(slopes, quiet),
-                     backfacing_curve(slopes, quiet)};
+  SlopeTables tables{.distribution = distribution.name(),
+                     .mean_slope = slopes.mean_slope(),
+                     .support = slopes.support(),
+                     .tail_order = order,
+                     .marginal = marginal.table(),
+                     .conditional = conditional.table(),
+                     .marginal_rows = marginal_knots,
+                     .conditional_rows = conditional_knots,
+                     .log_ndf = ndf_curve(slopes, quiet),
+                     .log_backfacing = backfacing_curve(slopes, quiet)};
   BuiltTables built{share(std::move(tables)), {}, slopes.mass(), slopes.quadrature_error()};
   built.certificate = measure_certificate(slopes, built.tables, quiet);
   return built;

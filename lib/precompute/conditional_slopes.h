@@ -1,10 +1,11 @@
 // The distribution of the slope y given the slope x (Heitz and d'Eon 2014, equations 12 and 13). It
 // does not depend on the incident direction and is symmetric, so it is kept as that of |y|:
 //
-//   q(y) = P(|Y| > y | x) = int_y^inf p22(sqrt(x^2 + s^2)) ds / int_0^inf p22(sqrt(x^2 + s^2)) ds
+//   P(|Y| < y | x) = int_0^y p22(sqrt(x^2 + s^2)) ds / int_0^inf p22(sqrt(x^2 + s^2)) ds
 //
-// y is in units of sqrt(1 + x^2), in which the conditionals of all Student-T slopes, GGX included,
-// are one and the same; x is in units of the mean slope.
+// y is in units of a scale that depends on x: sqrt(1 + x^2), in which the conditionals of all
+// Student-T slopes, GGX included, are one and the same; or, where no slope is larger than R,
+// sqrt(R^2 - x^2), the largest y. x is in units of the mean slope.
 #pragma once
 
 #include <vector>
@@ -24,24 +25,31 @@ class ConditionalSlopes {
   /// must outlive this object.
   ConditionalSlopes(const UnitSlopes& slopes, double x);
 
-  /// q and 1 - q at y >= 0. Maximum error: 1e-13, in both tails relative.
+  /// P(|Y| < y) and its complement at y >= 0. Maximum error: 1e-13 for smooth densities, in both
+  /// tails relative.
   Probability<double> cdf(double y) const;
 
-  /// y with q(y) = q, infinity at 0: bracketed root finding to 1e-12 in q.
-  double quantile(const Probability<double>& q) const;
+  /// y with P(|Y| < y) = p; infinity, or 1 for a compact distribution, at 1: bracketed root finding
+  /// to 1e-12 in p.
+  double quantile(const Probability<double>& p) const;
 
   /// Relative error that the quadrature estimates for the whole integral.
   double quadrature_error() const { return error_ / total(); }
 
  private:
+  std::vector<double> breaks_in_y() const;
+  std::vector<double> panel_edges(double width) const;
   double density(double y) const;  // not normalised
+  double rest();
   double total() const { return tail_.front(); }
   double partial(double low, double high) const;
+  double inverse_hermite(std::size_t panel, double tail) const;
   std::size_t panel_of(double y) const;
-  std::size_t panel_of(const Probability<double>& q) const;
+  std::size_t panel_of_tail(double mass) const;
 
   const UnitSlopes& slopes_;
-  double x_, unit_;  // unit_ = sqrt(1 + x^2)
+  bool bounded_;
+  double x_, scale_;
   double error_ = 0;
   // Edges of the panels and the integrals below and above each edge: both are sums of positive
   // terms, so neither tail is a difference.

@@ -42,7 +42,7 @@ Probability<double> from_complement(double q) {
 /// Inverse of the conditional column on the whole of u2: [0, 1/2] the lower half of the rows.
 Probability<double> conditional_u2(double t) {
   const bool lower = t < 0.5;
-  const double half = conditional_column_inverse(lower ? 2 * t : 2 * (1 - t)).u / 2;
+  const double half = conditional_column_inverse(lower ? 1 - 2 * t : 2 * t - 1).complement / 2;
   return lower ? from_tail(half) : from_complement(half);
 }
 
@@ -200,14 +200,17 @@ struct Judge {
     const BoundedSlope<float> c = bounded_cotangent(w.z, w.s);
     const BoundedSlope<double> exact = bounded_cotangent<double>(w.z, w.s);
     const VisibleSlopes visible(slopes, exact);
-    const auto cdf_of = [&](double slope) {
-      return visible.cdf(std::min(std::asinh(slope), visible.farthest()));
+    // From the bounded form, for the slope itself may be beyond the range of single precision.
+    const auto cdf_of = [&](const auto& ordered) {
+      const double sigma = ordered.sigma;
+      const double a = std::log(sigma / (1 - sigma)) * sampler.tables().tail_order;
+      return visible.cdf(std::min(a, visible.farthest()));
     };
     const auto sampled = [&](const Probability<float>& u) {
-      return cdf_of(sampler.sample_marginal(c, u).slope());
+      return cdf_of(sampler.sample_ordered_marginal(c, u));
     };
     const auto sampled_double = [&](const Probability<double>& u) {
-      return cdf_of(sampler_double.sample_marginal(exact, u).slope());
+      return cdf_of(sampler_double.sample_ordered_marginal(exact, u));
     };
     const double theta = std::atan2(w.s / slopes.mean_slope(), w.z) / kDegree;
     const Row row{theta, marginal_column_inverse<double>, sampled, sampled_double};
@@ -218,17 +221,17 @@ struct Judge {
     const auto bounded = bounded_from_sigma(static_cast<float>(bounded_from_slope(x).sigma));
     const BoundedSlope<double> exact = bounded_from_sigma<double>(bounded.sigma);
     const ConditionalSlopes conditional(slopes, exact.slope());
-    const auto cdf_of = [&](const auto& folded, double size) {
-      const double half = conditional.cdf(size).u / 2;
-      return folded.sign < 0 ? from_tail(half) : from_complement(half);
+    const auto cdf_of = [&](auto sign, auto v) {
+      const double half = conditional.cdf(2 * v / ((1 - v) * (1 + v))).complement / 2;
+      return sign < 0 ? from_tail(half) : from_complement(half);
     };
     const auto sampled = [&](const Probability<float>& u2) {
       const auto folded = fold(u2);
-      return cdf_of(folded, -sampler.sample_conditional(bounded, folded.q).slope());
+      return cdf_of(folded.sign, sampler.sample_conditional(bounded, folded.p));
     };
     const auto sampled_double = [&](const Probability<double>& u2) {
       const auto folded = fold(u2);
-      return cdf_of(folded, -sampler_double.sample_conditional(exact, folded.q).slope());
+      return cdf_of(folded.sign, sampler_double.sample_conditional(exact, folded.p));
     };
     const double place = exact.slope() * slopes.mean_slope();
     const Row row{place, conditional_u2, sampled, sampled_double};
@@ -239,7 +242,8 @@ struct Judge {
     const double length = std::hypot(1, r * slopes.mean_slope());
     const Vec3<float> wm{static_cast<float>(-r * slopes.mean_slope() / length), 0,
                          static_cast<float>(1 / length)};
-    return std::abs(double{sampler.d(wm, {1, 1})} / exact_d(wm) - 1);
+    const double exact = exact_d(wm), given = double{sampler.d(wm, {1, 1})};
+    return exact > 0 ? std::abs(given / exact - 1) : given;
   }
 
   double exact_d(const Vec3<float>& wm) const {
@@ -274,29 +278,31 @@ struct Judge {
 };
 
 TableErrors judge_marginal(const Judge& judge, const Workers& workers) {
+  const RowAxis<double> rows(judge.sampler.tables().marginal_rows);
   std::vector<Judge::Direction> directions;
   for (const double row : off_grid_rows(judge.sampler.tables().marginal.rows()))
-    directions.push_back(Judge::direction(marginal_row_inverse(row)));
+    directions.push_back(Judge::direction(marginal_base_inverse(rows.base(row))));
   for (const double degrees : {0.0, 1e-7, 1e-3, 0.2, 0.3, 89.9, 89.99, 89.999, 90.0})
     directions.push_back(judge.direction(degrees * kDegree));
-  std::vector<TableErrors> rows(directions.size());
-  parallel_for(rows.size(), workers,
-               [&](std::size_t i) { rows[i] = judge.marginal_row(directions[i], i); });
-  return combine(rows);
+  std::vector<TableErrors> judged(directions.size());
+  parallel_for(judged.size(), workers,
+               [&](std::size_t i) { judged[i] = judge.marginal_row(directions[i], i); });
+  return combine(judged);
 }
 
 TableErrors judge_conditional(const Judge& judge, const Workers& workers) {
+  const RowAxis<double> rows(judge.sampler.tables().conditional_rows);
   std::vector<double> reached;
   for (const double row : off_grid_rows(judge.sampler.tables().conditional.rows())) {
-    const double x = conditional_row_inverse(row).slope();
+    const double x = conditional_base_inverse(rows.base(row)).slope();
     if (judge.slopes.m(std::asinh(x)) > kSmallestTail &&
         ConditionalSlopes::reachable(judge.slopes, x))
       reached.push_back(x);
   }
-  std::vector<TableErrors> rows(reached.size());
-  parallel_for(rows.size(), workers,
-               [&](std::size_t i) { rows[i] = judge.conditional_row(reached[i], i); });
-  return combine(rows);
+  std::vector<TableErrors> judged(reached.size());
+  parallel_for(judged.size(), workers,
+               [&](std::size_t i) { judged[i] = judge.conditional_row(reached[i], i); });
+  return combine(judged);
 }
 
 template <class F>
@@ -316,8 +322,8 @@ Certificate measure_certificate(const UnitSlopes& slopes,
   certificate.marginal = judge_marginal(judge, workers);
   certificate.conditional = judge_conditional(judge, workers);
 
-  double farthest = 1;  // asinh of the radius
-  while (slopes.m(farthest) > kNdfTail && farthest < 16) farthest += 0.25;
+  double farthest = 0;  // asinh of the radius
+  while (slopes.m(farthest) > kNdfTail && farthest < 16) farthest += 0.01;
   certificate.max_d_error = largest(kCurvePoints, workers, [&](std::size_t k) {
     return judge.d_error(std::sinh(farthest * golden(k)));
   });

@@ -25,8 +25,11 @@ class SlopeDistribution {
 
   /// Density of slopes per unit of slope plane at radius r >= 0: >= 0, finite for r > 0, smooth
   /// between breaks(). Any scale: the builder normalises it. It must be safe to call from several
-  /// threads, and cheap: a build calls it some 1e7 times.
+  /// threads: a build calls it some 1e7 times.
   virtual double p22(double r) const = 0;
+
+  /// Whether p22 takes more than some 50 ns. If so the builder interpolates it, to 1e-11.
+  virtual bool costly() const { return false; }
 
   /// Radii > 0, increasing, at which p22 jumps or has a kink, support() among them if finite.
   virtual std::vector<double> breaks() const { return {}; }

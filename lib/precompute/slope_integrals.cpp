@@ -1,12 +1,14 @@
-// P, Q, M and B by double-exponential quadrature.
+// P, Q, M and B by double-exponential quadrature, piece by piece between the breaks of p22.
 #include "precompute/slope_integrals.h"
 
 #include <boost/math/quadrature/exp_sinh.hpp>
+#include <boost/math/quadrature/tanh_sinh.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <sstream>
 #include <stdexcept>
+#include <vector>
 
 namespace vndf::precompute {
 namespace {
@@ -14,30 +16,60 @@ namespace {
 constexpr double kRelativeTolerance = 1e-13;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// One rule per thread: Boost 1.74 declares integrate() without const.
+// One rule per thread: Boost 1.74 declares integrate() without const.
 boost::math::quadrature::exp_sinh<double>& half_line() {
   thread_local boost::math::quadrature::exp_sinh<double> rule;
   return rule;
 }
+boost::math::quadrature::tanh_sinh<double>& interval() {
+  thread_local boost::math::quadrature::tanh_sinh<double> rule;
+  return rule;
+}
 
-/// int_0^inf f(s) ds. The rule crowds its nodes around s = scale.
+/// int_from^inf f(s) ds. The rule crowds its nodes around s = from + scale.
 template <class F>
-Estimate integrate(F f, double scale) {
+Estimate integrate_to_infinity(F f, double from, double scale) {
   double error = 0;
-  const double value = half_line().integrate([&](double v) { return f(scale * v); }, 0.0, kInfinity,
-                                             kRelativeTolerance, &error);
+  const double value = half_line().integrate([&](double v) { return f(from + scale * v); }, 0.0,
+                                             kInfinity, kRelativeTolerance, &error);
   return {scale * value, scale * error};
+}
+
+template <class F>
+Estimate integrate_between(F f, double low, double high) {
+  double error = 0;
+  const double value = interval().integrate(f, low, high, kRelativeTolerance, &error);
+  return {value, error};
+}
+
+/// int_0^inf f(s) ds of a function that is smooth between `breaks`, and 0 beyond the last of them
+/// if it is `bounded`.
+template <class F>
+Estimate integrate(F f, const std::vector<double>& breaks, bool bounded, double scale) {
+  Estimate sum{0, 0};
+  const auto add = [&](const Estimate& e) { sum = {sum.value + e.value, sum.error + e.error}; };
+  double low = 0;
+  for (const double high : breaks) {
+    if (high > low) add(integrate_between(f, low, high));
+    low = high;
+  }
+  if (!bounded) add(integrate_to_infinity(f, low, scale));
+  return sum;
 }
 
 /// 2 int weight(s) p22(sqrt(x^2 + s^2)) ds.
 template <class Weight>
 Estimate over_column(const SlopeDistribution& d, double x, Weight weight) {
+  std::vector<double> breaks;
+  for (const double r : d.breaks())
+    if (r > x) breaks.push_back(std::sqrt((r - x) * (r + x)));
+  const bool bounded = std::isfinite(d.support());
   const auto [value, error] = integrate(
       [&](double s) {
         const double density = d.p22(std::hypot(x, s));
         return density == 0 ? 0.0 : weight(s) * density;  // a weight may overflow where p22 is 0
       },
-      1 + x);
+      breaks, bounded, 1 + x);
   return {2 * value, 2 * error};
 }
 
@@ -70,7 +102,7 @@ Estimate convergent(const SlopeDistribution& d, const std::string& what, F f) {
   constexpr double kUsableError = 1e-6;
   Estimate result{};
   try {
-    result = integrate(f, 1);
+    result = integrate(f, d.breaks(), std::isfinite(d.support()), 1);
   } catch (const boost::math::evaluation_error&) {
     refuse(d, what + " does not converge");
   }
@@ -82,6 +114,7 @@ Estimate convergent(const SlopeDistribution& d, const std::string& what, F f) {
 }  // namespace
 
 Estimate slope_mass(const SlopeDistribution& d) {
+  if (const auto known = d.marginals(0)) return {2 * known->q, 0};
   const auto ring = [&](double r) { return 2 * std::numbers::pi * r * checked_p22(d, r); };
   const Estimate mass = convergent(d, "the integral of p22 over the slope plane", ring);
   if (!(mass.value > 0)) refuse(d, "p22 is zero everywhere");
@@ -89,6 +122,7 @@ Estimate slope_mass(const SlopeDistribution& d) {
 }
 
 Estimate mean_slope(const SlopeDistribution& d, double mass) {
+  if (const auto known = d.marginals(0)) return {2 * known->m / mass, 0};
   // E|X| = E[r] 2 / pi for a radial density.
   const auto moment = [&](double r) { return 4 * r * r * d.p22(r) / mass; };
   return convergent(d, "the mean slope (no visible normals exist where it is infinite)", moment);
@@ -109,6 +143,11 @@ Estimate partial_moment(const SlopeDistribution& d, double x) {
 Estimate backfacing(const SlopeDistribution& d, double c) {
   return over_column(
       d, c, [c](double s) { return c == 0 ? s * s : s * s * one_minus_atan_ratio(s / c); });
+}
+
+MarginalEstimates marginals(const SlopeDistribution& d, double x) {
+  if (const auto known = d.marginals(x)) return {{known->p, 0}, {known->q, 0}, {known->m, 0}};
+  return {marginal_density(d, x), upper_tail(d, x), partial_moment(d, x)};
 }
 
 }  // namespace vndf::precompute

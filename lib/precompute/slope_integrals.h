@@ -36,4 +36,11 @@ Estimate upper_tail(const SlopeDistribution& d, double x);
 Estimate partial_moment(const SlopeDistribution& d, double x);
 Estimate backfacing(const SlopeDistribution& d, double c);
 
+struct MarginalEstimates {
+  Estimate p, q, m;
+};
+
+/// P, Q and M at a slope >= 0: as the distribution knows them, or else by quadrature.
+MarginalEstimates marginals(const SlopeDistribution& d, double x);
+
 }  // namespace vndf::precompute

@@ -3,7 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
+
+#include "precompute/interpolated_density.h"
+#include "precompute/make_curve.h"
 
 namespace vndf::precompute {
 namespace {
@@ -13,59 +17,73 @@ constexpr std::size_t kNodes = 8192;
 // light tail is followed until it is smaller than any probability that can matter.
 constexpr double kFarthestAsinh = 20;
 constexpr double kSmallestTail = 1e-250;
+// The quadrature's own errors are looked at where Q is above the smallest probability in a table.
 constexpr double kSmallestProbability = 1e-12;
-
-struct Node {
-  Estimate p, q, m;
-};
+constexpr std::size_t kErrorPlaces = 256;
+// A tail whose exponent is larger than this is as good as light.
+constexpr double kLargestExponent = 100;
 
 double relative_error(const Estimate& e) {
-  return e.error / e.value;
+  return e.value > 0 ? e.error / e.value : 0;
 }
 
 }  // namespace
 
+std::vector<double> segment_ends(const SlopeDistribution& d, double mean_slope, double end) {
+  std::vector<double> ends{0};
+  for (const double r : d.breaks()) ends.push_back(std::asinh(r / mean_slope));
+  if (std::isinf(d.support())) ends.push_back(std::max(end, ends.back() + 1));
+  return ends;
+}
+
 UnitSlopes::UnitSlopes(const SlopeDistribution& d, const Workers& workers)
-    : distribution_(d),
+    : distribution_(&d),
       mass_(slope_mass(d).value),
       mean_slope_(vndf::precompute::mean_slope(d, mass_).value) {
-  const auto tail_at = [&](double a) {
-    return vndf::precompute::upper_tail(d, mean_slope_ * std::sinh(a)).value;
-  };
+  if (d.costly()) {
+    interpolated_ = interpolated_density(d, mean_slope_, workers);
+    distribution_ = interpolated_.get();
+  }
+  const auto at = [&](double a) { return marginals(*distribution_, mean_slope_ * std::sinh(a)); };
   double end = kFarthestAsinh;
-  while (!(tail_at(end) > kSmallestTail * mass_)) end *= 0.98;
+  const double smallest = kSmallestTail * mass_;
+  const bool open = std::isinf(d.support());
+  while (open && upper_tail(std::sinh(end)).value * mass_ <= smallest && end > 1e-3) end *= 0.98;
 
-  const double step = end / (kNodes - 1);
-  std::vector<LogCurveNode<double>> log_q(kNodes), log_m(kNodes);
-  std::vector<double> errors(kNodes);
-  parallel_for(kNodes, {workers.threads}, [&](std::size_t k) {
-    const double a = step * static_cast<double>(k);
-    const double x = mean_slope_ * std::sinh(a);
-    const Node n{marginal_density(d, x), vndf::precompute::upper_tail(d, x), partial_moment(d, x)};
-    const double dx = mean_slope_ * std::cosh(a) * step;  // per node
-    log_q[k] = {std::log(n.q.value / mass_), -n.p.value / n.q.value * dx};
-    log_m[k] = {std::log(n.m.value / (mass_ * mean_slope_)), -x * n.p.value / n.m.value * dx};
-    if (n.q.value > kSmallestProbability * mass_)
-      errors[k] = std::max({relative_error(n.p), relative_error(n.q), relative_error(n.m)});
-  });
-  quadrature_error_ = *std::max_element(errors.begin(), errors.end());
-  log_q_ = {step, std::move(log_q)};
-  log_m_ = {step, std::move(log_m)};
+  const auto ends = segment_ends(d, mean_slope_, end);
+  const CurveOptions options{.nodes = kNodes, .open = open};
+  log_q_ =
+      make_curve([&](double a) { return std::log(at(a).q.value / mass_); }, ends, options, workers);
+  log_m_ = make_curve([&](double a) { return std::log(at(a).m.value / (mass_ * mean_slope_)); },
+                      ends, options, workers);
+
+  for (std::size_t k = 0; k < kErrorPlaces; ++k) {
+    const auto e = at(ends.back() * static_cast<double>(k) / kErrorPlaces);
+    if (e.q.value > kSmallestProbability * mass_)
+      quadrature_error_ = std::max(
+          {quadrature_error_, relative_error(e.p), relative_error(e.q), relative_error(e.m)});
+  }
+}
+
+double UnitSlopes::tail_exponent() const {
+  if (std::isfinite(support())) return std::numeric_limits<double>::infinity();
+  const double exponent = -log_m_.log_slope_at(log_m_.segments().back().end * 2);
+  return exponent < kLargestExponent ? exponent : std::numeric_limits<double>::infinity();
 }
 
 Estimate UnitSlopes::density(double x) const {
-  const Estimate p = marginal_density(distribution_, x * mean_slope_);
+  const Estimate p = marginals(*distribution_, x * mean_slope_).p;
   const double scale = mean_slope_ / mass_;
   return {p.value * scale, p.error * scale};
 }
 
 Estimate UnitSlopes::upper_tail(double x) const {
-  const Estimate q = vndf::precompute::upper_tail(distribution_, x * mean_slope_);
+  const Estimate q = marginals(*distribution_, x * mean_slope_).q;
   return {q.value / mass_, q.error / mass_};
 }
 
 Estimate UnitSlopes::backfacing(double c) const {
-  const Estimate b = vndf::precompute::backfacing(distribution_, c * mean_slope_);
+  const Estimate b = vndf::precompute::backfacing(*distribution_, c * mean_slope_);
   const double scale = 1 / (mass_ * mean_slope_);
   return {b.value * scale, b.error * scale};
 }

@@ -1,10 +1,11 @@
 // A slope distribution brought to unit mass and unit mean slope E|X| = 1, with its one-dimensional
 // functions ready for the millions of evaluations that inversion needs: log Q and log M over
-// a = asinh(x), cubic Hermite between 8192 nodes with their exact derivatives dQ = -P dx and
-// dM = -x P dx. Slopes are in units of the mean slope throughout.
+// a = asinh(x), cubic Hermite in segments between the breaks of p22; P is the derivative of Q.
+// Slopes are in units of the mean slope throughout.
 #pragma once
 
-#include <functional>
+#include <memory>
+#include <vector>
 
 #include "precompute/parallel.h"
 #include "precompute/slope_distribution.h"
@@ -13,9 +14,18 @@
 
 namespace vndf::precompute {
 
-/// Largest relative error of q() and m(): h^4 / 384 times a fourth derivative, 4 at most for the
-/// shipped distributions, at h = 20 / 8191; and the rounding of exp() of a large logarithm.
+/// Largest relative error of q() and m() of a density without breaks: h^4 / 384 times a fourth
+/// derivative, 4 at most for the shipped distributions, at h = 20 / 8191; and the rounding of exp()
+/// of a large logarithm.
 inline constexpr double kCurveError = 5e-13;
+
+/// The same beyond the last node, sinh(20) = 2.4e8, per unit of asinh: the rounding of the tangent
+/// along which a power tail is continued.
+inline constexpr double kContinuationError = 2e-11;
+
+/// Ends of the segments of the curves of a distribution in asinh(slope / mean_slope): 0, its
+/// breaks, and `end` unless it is bounded.
+std::vector<double> segment_ends(const SlopeDistribution& d, double mean_slope, double end);
 
 class UnitSlopes {
  public:
@@ -23,7 +33,7 @@ class UnitSlopes {
   /// mean_slope() do.
   UnitSlopes(const SlopeDistribution& d, const Workers& workers);
 
-  const SlopeDistribution& distribution() const { return distribution_; }
+  const SlopeDistribution& distribution() const { return *distribution_; }
   /// int p22 over the slope plane, as given: the factor by which the density was divided.
   double mass() const { return mass_; }
   /// mu = E|X| of the distribution as given.
@@ -32,18 +42,24 @@ class UnitSlopes {
   /// least 1e-12, the smallest probability in a table.
   double quadrature_error() const { return quadrature_error_; }
 
+  /// Largest slope, infinite where there is none.
+  double support() const { return distribution_->support() / mean_slope_; }
+  /// Exponent kappa of a power tail, M(x) ~ x^-kappa; infinite for a lighter one.
+  double tail_exponent() const;
+
   /// Density of slopes at radius r >= 0.
   double p22(double r) const {
-    return distribution_.p22(r * mean_slope_) * (mean_slope_ * mean_slope_ / mass_);
+    return distribution_->p22(r * mean_slope_) * (mean_slope_ * mean_slope_ / mass_);
   }
   /// Upper tail of X at sinh(a), a >= 0. q(0) = 1/2.
   double q(double a) const { return log_q_.at(a); }
   /// Partial first moment of X beyond sinh(a), a >= 0. m(0) = 1/2.
   double m(double a) const { return log_m_.at(a); }
-  /// Density of X times dx/da, at any a: relative error 1e-8.
+  /// Density of X times dx/da, at any a: relative error 1e-8 away from breaks.
   double p_da(double a) const {
     const double b = std::abs(a);
-    return -log_q_.log_slope_at(b) * log_q_.at(b);
+    const double q = log_q_.at(b);
+    return q > 0 ? -log_q_.log_slope_at(b) * q : 0;
   }
 
   /// Density and upper tail of X and c Lambda(c) at slopes >= 0, straight from their integrals.
@@ -52,7 +68,8 @@ class UnitSlopes {
   Estimate backfacing(double c) const;
 
  private:
-  const SlopeDistribution& distribution_;
+  std::unique_ptr<SlopeDistribution> interpolated_;  // in place of one that is costly
+  const SlopeDistribution* distribution_;
   double mass_, mean_slope_, quadrature_error_ = 0;
   LogCurve<double> log_q_, log_m_;
 };

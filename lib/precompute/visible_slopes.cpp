@@ -1,6 +1,7 @@
 // The marginal distribution of visible slopes at one incidence.
 #include "precompute/visible_slopes.h"
 
+#include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <limits>
@@ -10,12 +11,23 @@
 namespace vndf::precompute {
 namespace {
 
-// Below this distance from the edge the closed form of 1 - V loses more than two digits and Gauss's
-// rule on the positive integrand is exact to rounding.
+// Below this distance from the edge at cot(theta) the closed form of 1 - V loses more than two
+// digits, and Gauss's rule on the positive integrand is exact to rounding where P is smooth.
 constexpr double kNear = 0.25;
 // exp(-740) is the smallest normal number: no slope that a table holds lies beyond.
 constexpr double kFarthestLow = 740;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// From here to the edge Gauss's rule serves: near cot(theta), above the last break of P.
+double smooth_from(const UnitSlopes& slopes, double farthest, double cotangent) {
+  if (farthest < cotangent) return kInfinity;  // the edge is that of the distribution
+  double from = farthest - kNear;
+  for (const double r : slopes.distribution().breaks()) {
+    const double a = std::asinh(r / slopes.mean_slope());
+    if (a < farthest) from = std::max(from, a);
+  }
+  return from;
+}
 
 }  // namespace
 
@@ -29,10 +41,12 @@ BoundedSlope<double> bounded_from_asinh(double a) {
 
 VisibleSlopes::VisibleSlopes(const UnitSlopes& slopes, const BoundedSlope<double>& c)
     : slopes_(slopes),
-      farthest_(asinh_of(c)),
+      farthest_(std::min(asinh_of(c), std::asinh(slopes.support()))),
+      cotangent_(asinh_of(c)),
       cosine_(c.numerator() / c.hypotenuse()),
       sine_(c.denominator() / c.hypotenuse()),
-      norm_(cosine_ * (1 - slopes.q(farthest_)) + sine_ * slopes.m(farthest_)) {}
+      norm_(cosine_ * (1 - slopes.q(cotangent_)) + sine_ * slopes.m(cotangent_)),
+      smooth_from_(smooth_from(slopes, farthest_, cotangent_)) {}
 
 double VisibleSlopes::lower_mass(double b) const {
   return cosine_ * slopes_.q(b) + sine_ * slopes_.m(b);
@@ -40,7 +54,7 @@ double VisibleSlopes::lower_mass(double b) const {
 
 double VisibleSlopes::upper_mass(double a) const {
   if (a >= farthest_) return 0;
-  if (farthest_ - a < kNear) return upper_mass_near(a);
+  if (a > smooth_from_) return upper_mass_near(a);
   return cosine_ * (slopes_.q(a) - slopes_.q(farthest_)) -
          sine_ * (slopes_.m(a) - slopes_.m(farthest_));
 }
@@ -51,10 +65,10 @@ double VisibleSlopes::upper_mass_near(double a) const {
 }
 
 double VisibleSlopes::weighted_density(double a) const {
-  // cos - sin x = sin (sinh(farthest) - sinh(a)), as a product so that it keeps its digits.
-  const double projection = std::isinf(farthest_) ? cosine_
-                                                  : 2 * sine_ * std::cosh((farthest_ + a) / 2) *
-                                                        std::sinh((farthest_ - a) / 2);
+  // cos - sin x = sin (sinh(cotangent) - sinh(a)), as a product so that it keeps its digits.
+  const double projection = std::isinf(cotangent_) ? cosine_
+                                                   : 2 * sine_ * std::cosh((cotangent_ + a) / 2) *
+                                                         std::sinh((cotangent_ - a) / 2);
   return projection * slopes_.p_da(a);
 }
 

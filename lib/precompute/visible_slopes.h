@@ -16,7 +16,8 @@ class VisibleSlopes {
   /// must outlive this object.
   VisibleSlopes(const UnitSlopes& slopes, const BoundedSlope<double>& c);
 
-  /// asinh(c), infinite at normal incidence: the largest visible slope.
+  /// asinh of the largest visible slope: that of c, infinite at normal incidence, or the largest
+  /// slope of the distribution.
   double farthest() const { return farthest_; }
 
   /// V and 1 - V at sinh(a), a <= farthest(). Maximum error: 1e-12, in both tails relative.
@@ -33,7 +34,7 @@ class VisibleSlopes {
   double weighted_density(double a) const;  // -d upper_mass / da
 
   const UnitSlopes& slopes_;
-  double farthest_, cosine_, sine_, norm_;
+  double farthest_, cotangent_, cosine_, sine_, norm_, smooth_from_;
 };
 
 /// The logit of sigma is the asinh of the slope: sigma = 1 / (1 + exp(-a)).

@@ -1,11 +1,15 @@
 // A positive function of one non-negative slope, kept as the logarithm of its values over
-// a = asinh(slope): cubic Hermite between equidistant nodes, straight beyond the last one. A power
-// tail is a straight line there, so it is continued exactly; a light tail has fallen to nothing.
+// a = asinh(slope): cubic Hermite in segments, between which it may jump or have a kink. The nodes
+// of a segment are equidistant in t, which can be graded to crowd them at its ends. Outside the
+// segments the function is 0, but an open curve goes on straight beyond the last one: a power tail
+// is continued exactly, a light tail has fallen to nothing.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace vndf {
@@ -16,48 +20,127 @@ struct LogCurveNode {
   T value, tangent;
 };
 
+/// How t follows z = (a - begin) / (end - begin), both in [0, 1].
+enum class Grading : int {
+  none = 0,  ///< t = z
+  low = 1,   ///< t = sqrt(z): for a cusp at the beginning
+  both = 2,  ///< t = sqrt(z) / (sqrt(z) + sqrt(1 - z)): for singular ends
+};
+
+template <class T>
+T graded(T z, Grading grading) {
+  if (grading == Grading::none) return z;
+  const T low = std::sqrt(z);
+  return grading == Grading::low ? low : low / (low + std::sqrt(T(1) - z));
+}
+
+/// Inverse of graded().
+template <class T>
+T graded_inverse(T t, Grading grading) {
+  if (grading == Grading::none) return t;
+  const T low = t * t;
+  return grading == Grading::low ? low : low / (low + (T(1) - t) * (T(1) - t));
+}
+
+/// dz / dt.
+template <class T>
+T graded_inverse_derivative(T t, Grading grading) {
+  if (grading == Grading::none) return T(1);
+  if (grading == Grading::low) return T(2) * t;
+  const T norm = t * t + (T(1) - t) * (T(1) - t);
+  return T(2) * t * (T(1) - t) / (norm * norm);
+}
+
+template <class T>
+struct LogCurveSegment {
+  T begin, end;  ///< asinh(slope)
+  Grading grading;
+  std::vector<LogCurveNode<T>> nodes;  ///< at least two
+};
+
 template <class T>
 class LogCurve {
  public:
   LogCurve() = default;
-  /// `step` is the spacing of the nodes in asinh(slope); at least two nodes.
-  LogCurve(T step, std::vector<LogCurveNode<T>> nodes)
-      : step_(step), inverse_step_(T(1) / step), nodes_(std::move(nodes)) {}
+  /// Segments in increasing order, not overlapping; `open` if the last one is continued.
+  LogCurve(std::vector<LogCurveSegment<T>> segments, bool open)
+      : segments_(std::move(segments)), open_(open) {}
 
   template <class U>
-  explicit LogCurve(const LogCurve<U>& other)
-      : step_(static_cast<T>(other.step())), inverse_step_(static_cast<T>(1 / other.step())) {
-    nodes_.reserve(other.nodes().size());
-    for (const auto& n : other.nodes())
-      nodes_.push_back({static_cast<T>(n.value), static_cast<T>(n.tangent)});
+  explicit LogCurve(const LogCurve<U>& other) : open_(other.open()) {
+    for (const auto& s : other.segments()) {
+      segments_.push_back({static_cast<T>(s.begin), static_cast<T>(s.end), s.grading, {}});
+      for (const auto& n : s.nodes)
+        segments_.back().nodes.push_back({static_cast<T>(n.value), static_cast<T>(n.tangent)});
+    }
   }
 
-  T step() const { return step_; }
-  const std::vector<LogCurveNode<T>>& nodes() const { return nodes_; }
+  const std::vector<LogCurveSegment<T>>& segments() const { return segments_; }
+  bool open() const { return open_; }
 
-  /// Logarithm of the function at the slope whose asinh is `a` >= 0, infinite included.
+  /// Logarithm of the function at the slope whose asinh is `a` >= 0, infinite included; minus
+  /// infinity where the function is 0.
   T log_at(T a) const {
-    constexpr T kFarthest = T(1e6);  // nodes; beyond it nothing changes and an index would overflow
-    const T scaled = a > T(0) ? std::min(a * inverse_step_, kFarthest) : T(0);
-    const std::size_t cells = nodes_.size() - 1;
-    const std::size_t i = static_cast<std::size_t>(scaled);
-    if (i >= cells) return nodes_[cells].value + nodes_[cells].tangent * (scaled - T(cells));
-    return hermite(nodes_[i], nodes_[i + 1], scaled - T(i));
+    const T inside = a > T(0) ? a : T(0);
+    for (const auto& s : segments_) {
+      if (inside > s.end) continue;
+      if (inside < s.begin) break;
+      const Place p = place_in(s, inside);
+      return hermite(s.nodes[p.index], s.nodes[p.index + 1], p.fraction);
+    }
+    return open_ && inside > segments_.back().end ? continuation(inside)
+                                                  : -std::numeric_limits<T>::infinity();
   }
 
   /// The function itself at the slope whose asinh is `a`.
   T at(T a) const { return std::exp(log_at(a)); }
 
-  /// Derivative of the logarithm with respect to asinh(slope).
+  /// Derivative of the logarithm with respect to asinh(slope), inside a segment or beyond the last.
   T log_slope_at(T a) const {
-    const T scaled = a > T(0) ? a * inverse_step_ : T(0);
-    const std::size_t cells = nodes_.size() - 1;
-    if (!(scaled < T(cells))) return nodes_[cells].tangent * inverse_step_;
-    const std::size_t i = static_cast<std::size_t>(scaled);
-    return hermite_derivative(nodes_[i], nodes_[i + 1], scaled - T(i)) * inverse_step_;
+    for (const auto& s : segments_)
+      if (a >= s.begin && a <= s.end) {
+        const Place p = place_in(s, inside_graded(s, a));
+        const T per_t = hermite_derivative(s.nodes[p.index], s.nodes[p.index + 1], p.fraction) *
+                        static_cast<T>(s.nodes.size() - 1);
+        return per_t / (graded_inverse_derivative(p.t, s.grading) * (s.end - s.begin));
+      }
+    return end_slope();
   }
 
  private:
+  struct Place {
+    std::size_t index;
+    T fraction, t;
+  };
+
+  static Place place_in(const LogCurveSegment<T>& s, T a) {
+    const T z = std::clamp((a - s.begin) / (s.end - s.begin), T(0), T(1));
+    const T t = graded(z, s.grading);
+    const T scaled = t * static_cast<T>(s.nodes.size() - 1);
+    const std::size_t index = std::min(static_cast<std::size_t>(scaled), s.nodes.size() - 2);
+    return {index, scaled - static_cast<T>(index), t};
+  }
+
+  /// An end of a graded segment has no derivative; the nearest place that has one stands for it.
+  static T inside_graded(const LogCurveSegment<T>& s, T a) {
+    constexpr T kNearest = T(0x1p-40);
+    if (s.grading == Grading::none) return a;
+    const T margin = kNearest * (s.end - s.begin);
+    return std::clamp(a, s.begin + margin, s.end - margin);
+  }
+
+  T end_slope() const {
+    const auto& s = segments_.back();
+    return s.nodes.back().tangent * static_cast<T>(s.nodes.size() - 1) /
+           (graded_inverse_derivative(T(1), s.grading) * (s.end - s.begin));
+  }
+
+  T continuation(T a) const {
+    constexpr T kFarthest = T(1e6);  // beyond it nothing changes, and infinity times 0 is no number
+    return segments_.back().nodes.back().value +
+           end_slope() * (std::min(a, kFarthest) - segments_.back().end);
+  }
+
   static T hermite(const LogCurveNode<T>& l, const LogCurveNode<T>& r, T f) {
     const T secant = r.value - l.value;
     const T c2 = T(3) * secant - T(2) * l.tangent - r.tangent;
@@ -71,8 +154,8 @@ class LogCurve {
     return l.tangent + f * (T(2) * c2 + f * T(3) * c3);
   }
 
-  T step_ = 1, inverse_step_ = 1;
-  std::vector<LogCurveNode<T>> nodes_;
+  std::vector<LogCurveSegment<T>> segments_;
+  bool open_ = false;
 };
 
 }  // namespace vndf

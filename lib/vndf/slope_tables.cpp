@@ -14,7 +14,7 @@ using Broken = std::optional<std::string>;
 const char* broken_rule(const float* w, std::size_t j) {
   if (!std::isfinite(w[j])) return " is not a finite number";
   if (w[j] < 0 || w[j] > 1) return " is outside [0, 1]";
-  if (j == 0 && w[j] != 0) return " is not 0, the value of u = 0";
+  if (j == 0 && w[j] != 0) return " is not 0, the value at the end of a row";
   if (j > 0 && w[j] < w[j - 1]) return " is below the column before it";
   return nullptr;
 }
@@ -33,13 +33,43 @@ Broken check_table(const QuantileTable& table, const std::string& name) {
   return {};
 }
 
-Broken check_curve(const LogCurve<double>& curve, const std::string& name) {
-  if (!(curve.step() > 0) || !std::isfinite(curve.step())) return name + " curve: step is not > 0";
-  if (curve.nodes().size() < 2) return name + " curve: fewer than two nodes";
-  for (std::size_t i = 0; i < curve.nodes().size(); ++i)
-    if (!std::isfinite(curve.nodes()[i].value) || !std::isfinite(curve.nodes()[i].tangent))
-      return name + " curve, node " + std::to_string(i) + ": not a finite number";
+Broken check_axis(const std::vector<RowKnot>& knots, const std::string& name) {
+  if (knots.empty()) return {};
+  if (knots.size() < 2 || knots.front().row != 0 || knots.back().row != 1)
+    return name + " rows: the knots do not run from row 0 to row 1";
+  for (std::size_t k = 0; k < knots.size(); ++k) {
+    const RowKnot& at = knots[k];
+    const bool inside = at.base >= 0 && at.base <= 1 && at.row >= 0 && at.row <= 1;
+    if (!inside || (k > 0 && !(at.base > knots[k - 1].base && at.row > knots[k - 1].row)))
+      return name + " rows, knot " + std::to_string(k) + ": not above the knot before it in [0, 1]";
+  }
   return {};
+}
+
+Broken check_segment(const LogCurveSegment<double>& segment, double least) {
+  if (!(segment.begin >= least) || !(segment.end > segment.begin) || !std::isfinite(segment.end))
+    return "ends are not increasing numbers";
+  if (segment.grading < Grading::none || segment.grading > Grading::both) return "unknown grading";
+  if (segment.nodes.size() < 2) return "fewer than two nodes";
+  for (const auto& node : segment.nodes)
+    if (!std::isfinite(node.value) || !std::isfinite(node.tangent))
+      return "a node is not a finite number";
+  return {};
+}
+
+Broken check_curve(const LogCurve<double>& curve, const std::string& name) {
+  if (curve.segments().empty()) return name + " curve: no segments";
+  double end = 0;
+  for (std::size_t i = 0; i < curve.segments().size(); ++i) {
+    if (const Broken b = check_segment(curve.segments()[i], end))
+      return name + " curve, segment " + std::to_string(i) + ": " + *b;
+    end = curve.segments()[i].end;
+  }
+  return {};
+}
+
+bool is_order(int n) {
+  return n == 1 || n == 2 || n == 4 || n == 8 || n == 16;
 }
 
 }  // namespace
@@ -47,8 +77,12 @@ Broken check_curve(const LogCurve<double>& curve, const std::string& name) {
 std::optional<std::string> check(const SlopeTables& tables) {
   if (!(tables.mean_slope > 0) || !std::isfinite(tables.mean_slope))
     return "mean slope is not a finite number > 0";
+  if (!(tables.support > 0)) return "support is not a number > 0";
+  if (!is_order(tables.tail_order)) return "tail order is none of 1, 2, 4, 8, 16";
   if (const Broken b = check_table(tables.marginal, "marginal")) return b;
   if (const Broken b = check_table(tables.conditional, "conditional")) return b;
+  if (const Broken b = check_axis(tables.marginal_rows, "marginal")) return b;
+  if (const Broken b = check_axis(tables.conditional_rows, "conditional")) return b;
   if (const Broken b = check_curve(tables.log_ndf, "log_ndf")) return b;
   return check_curve(tables.log_backfacing, "log_backfacing");
 }

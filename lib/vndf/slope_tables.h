@@ -3,11 +3,14 @@
 // and two functions of one variable. Immutable once made, so threads share it freely.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "vndf/log_curve.h"
+#include "vndf/row_axis.h"
 #include "vndf/table.h"
 
 namespace vndf {
@@ -17,9 +20,15 @@ struct SlopeTables {
   std::string distribution;
   /// mu = E|X| at unit roughness; alpha times mu is the mean slope of the surface. Finite, > 0.
   double mean_slope = 0;
-  /// sigma(x) / sigma(c) over (theta, u1) and 2 sigma(y / sqrt(1 + x^2)) over (|x|, u2); the
+  /// Largest slope of the distribution in units of mu, infinite where there is none. > 0.
+  double support = std::numeric_limits<double>::infinity();
+  /// Order n of the values of the marginal table: 1, or 2, 4, 8, 16 for very heavy tails.
+  int tail_order = 1;
+  /// sigma_n(x) / sigma(c) over (theta, u1) and 2 sigma(y / scale) - 1 over (|x|, u2); the
   /// coordinates are in table_coordinates.h.
   QuantileTable marginal, conditional;
+  /// Knots of the row axes, from row 0 to row 1; none where rows are equidistant.
+  std::vector<RowKnot> marginal_rows, conditional_rows;
   /// Distribution of normals at alpha = 1 / mu, D = p22 (1 + r^2)^2, over asinh(r).
   LogCurve<double> log_ndf;
   /// E[(X - c)+] = c Lambda(c): area of back-facing facets seen per unit of sin(theta), over
@@ -28,7 +37,7 @@ struct SlopeTables {
 };
 
 /// The first rule that `tables` breaks, with the place, or nothing: sizes, finite values, rows that
-/// increase within [0, 1] and end as table_coordinates.h says, curves that are finite.
+/// increase within [0, 1] from 0, knots that increase, curves whose segments do.
 std::optional<std::string> check(const SlopeTables& tables);
 
 /// Tables ready to share. Throws std::invalid_argument with the message of check().

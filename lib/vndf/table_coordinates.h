@@ -9,20 +9,27 @@
 //
 // sigma runs from 0 (x = -infinity) over 1/2 (x = 0) to 1 (x = +infinity). Near 0 it is 1/(2|x|),
 // so a float keeps full relative precision in the heavy tail, and decoding needs no transcendental.
+// Tails so heavy that slopes leave the range of a float are stored at an order n = 2, 4, 8, 16:
+// sigma_n is made of tau^(1/n) in place of tau, which n doublings of the exponent undo.
 //
-//   marginal table     row    xi = sqrt(2 (1 - sigma(c))): 0 at normal incidence, 1 at grazing
+//   marginal table     base   sqrt(2 (1 - sigma(c))): 0 at normal incidence, 1 at grazing
 //                      column t = a / (a + b), a = u1^(1/4), b = (1 - u1)^(1/4)
-//                      value  sigma(x) / sigma(c): 0 and 1 at the ends of every row, so x <= c
-//                      holds
-//                             between rows too
-//   conditional table  row    e = sqrt(|2 sigma(x) - 1|): 0 at x = 0, 1 at |x| = infinity
-//                      column q^(1/4), q = 2 min(u2, 1 - u2): the half y <= 0, the other by
-//                      symmetry value  2 sigma(y / sqrt(1 + x^2))
+//                      value  sigma_n(x) / sigma(c): 0 and, at order 1, 1 at the ends of every row,
+//                             so that x <= c holds between rows too (at a higher order sigma_n(c),
+//                             below sigma(c), is put in its place where the product is larger); c
+//                             is at most the largest slope there is
+//   conditional table  base   sqrt(|2 sigma(x) - 1|): 0 at x = 0, 1 at |x| = infinity
+//                      column t = b / (a + b), a = s^(1/2), b = (1 - s)^(1/2), s = q^(1/2),
+//                             q = 1 - |2 u2 - 1|: the half y >= 0, the other by symmetry
+//                      value  2 sigma(y / scale) - 1, scale = sqrt(1 + x^2), or sqrt(R^2 - x^2)
+//                      where
+//                             no slope is larger than R
+//   rows               a RowAxis maps the base coordinate to the row; it is the identity where rows
+//                      equidistant in it serve well
 //
-// The square roots of the row axes grade them where the quantile is not smooth (u ~ tan(theta) M at
-// the pole, cusped densities at x = 0). The fourth roots of the column axes put 32 of 1024 nodes
-// below u = 1e-6, where a power tail or a logarithmic one needs them; q = 1 is the middle of the
-// distribution of y, where nothing happens.
+// The square roots of the base coordinates grade them where the quantile is not smooth (u ~
+// tan(theta) M at the pole, cusped densities at x = 0). The fourth roots of the column axes put 32
+// of 1024 nodes below u = 1e-6, where a power tail or a logarithmic one needs them.
 #pragma once
 
 #include <algorithm>
@@ -69,29 +76,50 @@ BoundedSlope<T> bounded_cotangent(T z, T s) {
   return {upper * scale, s * scale};
 }
 
-/// Row of the marginal table for the cotangent `c` of the (stretched) incident direction.
+/// sigma_n with its complement: tau becomes tau^(1/order). `order` is a power of two.
 template <class T>
-T marginal_row(const BoundedSlope<T>& c) {
+BoundedSlope<T> to_order(BoundedSlope<T> slope, int order) {
+  for (int n = order; n > 1; n /= 2) {
+    const T a = std::sqrt(slope.sigma), b = std::sqrt(slope.complement);
+    slope = {a / (a + b), b / (a + b)};
+  }
+  return slope;
+}
+
+/// Inverse of to_order().
+template <class T>
+BoundedSlope<T> from_order(BoundedSlope<T> slope, int order) {
+  for (int n = order; n > 1; n /= 2) {
+    const T a = slope.sigma * slope.sigma, b = slope.complement * slope.complement;
+    slope = {a / (a + b), b / (a + b)};
+  }
+  return slope;
+}
+
+/// Base coordinate of the marginal table for the cotangent `c` of the (stretched) incident
+/// direction.
+template <class T>
+T marginal_base(const BoundedSlope<T>& c) {
   return std::sqrt(T(2) * c.complement);
 }
 
-/// Inverse of marginal_row.
+/// Inverse of marginal_base.
 template <class T>
-BoundedSlope<T> marginal_row_inverse(T row) {
-  const T complement = row * row / T(2);
+BoundedSlope<T> marginal_base_inverse(T base) {
+  const T complement = base * base / T(2);
   return {T(1) - complement, complement};
 }
 
-/// Row of the conditional table for the slope `x`; the same for x and -x.
+/// Base coordinate of the conditional table for the slope `x`; the same for x and -x.
 template <class T>
-T conditional_row(const BoundedSlope<T>& x) {
+T conditional_base(const BoundedSlope<T>& x) {
   return std::sqrt(std::abs(x.sigma - x.complement));
 }
 
-/// Inverse of conditional_row: the slope |x| >= 0.
+/// Inverse of conditional_base: the slope |x| >= 0.
 template <class T>
-BoundedSlope<T> conditional_row_inverse(T row) {
-  const T square = row * row;
+BoundedSlope<T> conditional_base_inverse(T base) {
+  const T square = base * base;
   return {(T(1) + square) / T(2), (T(1) - square) / T(2)};
 }
 
@@ -124,28 +152,41 @@ Probability<T> marginal_column_inverse(T t) {
   return {a / (a + b), b / (a + b)};
 }
 
-/// The conditional slope is symmetric: u2 is looked up as q = 2 min(u2, 1 - u2), the probability
-/// that |y| is larger, and the sign of y.
+/// The conditional slope is symmetric: |y| is below its quantile at |2 u2 - 1|, whose complement is
+/// q = 2 min(u2, 1 - u2), and has the sign of u2 - 1/2.
 template <class T>
 struct FoldedProbability {
-  T q, sign;
+  Probability<T> p;
+  T sign;
 };
 
 template <class T>
 FoldedProbability<T> fold(const Probability<T>& u2) {
-  return {T(2) * std::min(u2.u, u2.complement), u2.u < T(0.5) ? T(-1) : T(1)};
+  return {{std::abs(u2.u - u2.complement), T(2) * std::min(u2.u, u2.complement)},
+          u2.u < T(0.5) ? T(-1) : T(1)};
 }
 
-/// Column of the conditional table for the folded probability q.
+/// Column of the conditional table for the probability p of a smaller |y|.
 template <class T>
-T conditional_column(T q) {
-  return std::sqrt(std::sqrt(q));
+T conditional_column(const Probability<T>& p) {
+  const T s = std::sqrt(p.complement);
+  const T a = std::sqrt(s);
+  const T b = std::sqrt(p.u / (T(1) + s));  // 1 - s = (1 - s^2) / (1 + s)
+  return b / (a + b);
 }
 
 /// Inverse of conditional_column.
 template <class T>
 Probability<T> conditional_column_inverse(T t) {
-  return {(t * t) * (t * t), (T(1) - t) * (T(1) + t) * (T(1) + t * t)};
+  const T a = (T(1) - t) * (T(1) - t), b = t * t;
+  const T s = a / (a + b);
+  return {b / (a + b) * (T(1) + s), s * s};
+}
+
+/// A slope >= 0 as value of the conditional table, v = 2 sigma - 1.
+template <class T>
+T conditional_value(const BoundedSlope<T>& y) {
+  return y.sigma - y.complement;
 }
 
 }  // namespace vndf

@@ -38,6 +38,10 @@ class TabulatedSampler {
   explicit TabulatedSampler(std::shared_ptr<const SlopeTables> tables)
       : tables_(std::move(tables)),
         mean_slope_(static_cast<T>(tables_->mean_slope)),
+        support_(static_cast<T>(tables_->support)),
+        bounded_support_(bounded_from_slope(support_)),
+        marginal_rows_(tables_->marginal_rows),
+        conditional_rows_(tables_->conditional_rows),
         log_ndf_(tables_->log_ndf),
         log_backfacing_(tables_->log_backfacing) {}
 
@@ -66,24 +70,42 @@ class TabulatedSampler {
   HomogeneousSlope<T> sample_slope(const BoundedSlope<T>& c, T u1, T u2) const noexcept {
     // 2.a marginal
     const BoundedSlope<T> x = sample_marginal(c, probability(u1));
-    // 2.b conditional: y = sqrt(1 + x^2) times the slope in the table
+    // 2.b conditional: y is the slope in the table times a scale that depends on x
     const FoldedProbability<T> folded = fold(probability(u2));
-    const BoundedSlope<T> y = sample_conditional(x, folded.q);
-    const T dx = x.denominator(), dy = y.denominator();
-    return {x.numerator() * dy, -folded.sign * x.hypotenuse() * y.numerator(), dx * dy};
+    const T v = sample_conditional(x, folded.p);
+    const T dx = x.denominator(), dy = (T(1) - v) * (T(1) + v);
+    return {x.numerator() * dy, folded.sign * scale_numerator(x) * T(2) * v, dx * dy};
   }
 
   /// The marginal quantile at u1, in units of the mean slope; at most the slope `c`.
   BoundedSlope<T> sample_marginal(const BoundedSlope<T>& c,
                                   const Probability<T>& u1) const noexcept {
-    return bounded_from_sigma(c.sigma *
-                              tables_->marginal.lookup(marginal_row(c), marginal_column(u1)));
+    return from_order(sample_ordered_marginal(c, u1), tables_->tail_order);
   }
 
-  /// The negative conditional slope y / sqrt(1 + x^2) that |y| exceeds with probability q.
-  BoundedSlope<T> sample_conditional(const BoundedSlope<T>& x, T q) const noexcept {
-    const QuantileTable& table = tables_->conditional;
-    return bounded_from_sigma(T(0.5) * table.lookup(conditional_row(x), conditional_column(q)));
+  /// The same at the order of the table, where it does not leave the range of T.
+  BoundedSlope<T> sample_ordered_marginal(const BoundedSlope<T>& c,
+                                          const Probability<T>& u1) const noexcept {
+    const int order = tables_->tail_order;
+    const BoundedSlope<T>& farthest =
+        c.complement > bounded_support_.complement ? c : bounded_support_;
+    const T row = marginal_rows_.row(marginal_base(c));
+    const T w = tables_->marginal.lookup(row, marginal_column(u1));
+    return bounded_from_sigma(std::min(farthest.sigma * w, to_order(farthest, order).sigma));
+  }
+
+  /// The value v = 2 sigma - 1 of |y| / scale that a sampled |y| stays below with probability p:
+  /// |y| = scale(x) 2 v / (1 - v^2).
+  T sample_conditional(const BoundedSlope<T>& x, const Probability<T>& p) const noexcept {
+    const T row = conditional_rows_.row(conditional_base(x));
+    return tables_->conditional.lookup(row, conditional_column(p));
+  }
+
+  /// Scale of the conditional slope times x.denominator().
+  T scale_numerator(const BoundedSlope<T>& x) const noexcept {
+    if (std::isinf(support_)) return x.hypotenuse();
+    const T edge = support_ * x.denominator();
+    return std::sqrt(std::max(T(0), (edge - x.numerator()) * (edge + x.numerator())));
   }
 
   /// Density of normals D(wm) per solid angle; 0 for a horizontal or back-facing normal.
@@ -158,7 +180,9 @@ class TabulatedSampler {
   }
 
   std::shared_ptr<const SlopeTables> tables_;
-  T mean_slope_;
+  T mean_slope_, support_;
+  BoundedSlope<T> bounded_support_;
+  RowAxis<T> marginal_rows_, conditional_rows_;
   LogCurve<T> log_ndf_, log_backfacing_;
 };
 

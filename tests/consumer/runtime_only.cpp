@@ -3,8 +3,15 @@
 
 int main() {
   const vndf::QuantileTable rows(2, 3, {0, 0.5f, 1, 0, 0.5f, 1});
-  const vndf::LogCurve<double> curve(1, {{0, 0}, {-1, -1}});
-  const vndf::TabulatedSampler<float> sampler(vndf::share({"line", 1, rows, rows, curve, curve}));
+  const vndf::LogCurve<double> curve({{0, 1, vndf::Grading::none, {{0, 0}, {-1, -1}}}}, true);
+  const vndf::TabulatedSampler<float> sampler(vndf::share({.distribution = "line",
+                                                           .mean_slope = 1,
+                                                           .marginal = rows,
+                                                           .conditional = rows,
+                                                           .marginal_rows = {},
+                                                           .conditional_rows = {},
+                                                           .log_ndf = curve,
+                                                           .log_backfacing = curve}));
   const auto wm = sampler.sample({0, 0, 1}, {1, 1}, 0.5f, 0.5f);
   return wm.z > 0 ? 0 : 1;
 }
