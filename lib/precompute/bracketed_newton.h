@@ -22,7 +22,7 @@ struct Bracket {
 template <class F>
 double bracketed_newton(F f, Bracket bracket, double guess) {
   constexpr double kResolution = 4 * std::numeric_limits<double>::epsilon();
-  constexpr double kLastStep = 1e-9;
+  constexpr double kLastStep = 1e-8;
   const auto middle = [&] { return bracket.low + (bracket.high - bracket.low) / 2; };
   const auto inside = [&](double x) { return x > bracket.low && x < bracket.high; };
   double x = inside(guess) ? guess : middle();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -132,6 +133,9 @@ struct Filling {
     filled[i] = !row.empty();
     const auto to = values.begin() + static_cast<std::ptrdiff_t>(i * columns);
     std::transform(row.begin(), row.end(), to, [](double v) { return static_cast<float>(v); });
+    // Neighbours may lie closer than root finding tells apart.
+    std::partial_sum(to, to + static_cast<std::ptrdiff_t>(row.size()), to,
+                     [](float below, float v) { return std::max(below, v); });
   }
 
   /// Rows beyond the last slope that a sample can reach repeat the row before them.

@@ -23,7 +23,7 @@ constexpr int kHalvings = 30;
 constexpr double kNarrowest = 1e-6;
 constexpr double kNegligible = 1e-17;
 constexpr double kTolerance = 1e-13;
-constexpr unsigned kDepth = 5;
+constexpr unsigned kDepth = 2;
 constexpr double kSmallestDensity = 1e-250;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 

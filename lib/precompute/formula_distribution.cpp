@@ -14,12 +14,13 @@ double NdfFormula::p22(double r, double alpha) const {
   return formula_.at_slope(r, alpha) / square / square;
 }
 
-FormulaDistribution::FormulaDistribution(std::string name, std::function<double(double)> density)
-    : name_(std::move(name)), density_(std::move(density)) {}
+FormulaDistribution::FormulaDistribution(std::string name, std::function<double(double)> density,
+                                         bool costly)
+    : name_(std::move(name)), density_(std::move(density)), costly_(costly) {}
 
 FormulaDistribution FormulaDistribution::from_p22(const Formula& formula) {
   const CompiledFormula compiled(formula, {"r"});
-  return {"p22(r) = " + compiled.text(), [compiled](double r) { return compiled(r); }};
+  return {"p22(r) = " + compiled.text(), [compiled](double r) { return compiled(r); }, false};
 }
 
 FormulaDistribution FormulaDistribution::from_ndf(const NdfFormula& ndf, double alpha) {
@@ -27,7 +28,8 @@ FormulaDistribution FormulaDistribution::from_ndf(const NdfFormula& ndf, double 
     throw std::invalid_argument("the roughness alpha of D is " + number_text(alpha) +
                                 "; it must be a finite number > 0");
   const std::string at = ndf.uses_alpha() ? ", alpha=" + number_text(alpha) : "";
-  return {"D(theta) = " + ndf.text() + at, [ndf, alpha](double r) { return ndf.p22(r, alpha); }};
+  return {"D(theta) = " + ndf.text() + at, [ndf, alpha](double r) { return ndf.p22(r, alpha); },
+          true};
 }
 
 double FormulaDistribution::p22(double r) const {

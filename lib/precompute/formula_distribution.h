@@ -46,13 +46,15 @@ class FormulaDistribution final : public SlopeDistribution {
   /// Slopes beyond 1e20 at which the arithmetic overflows to something that is not a number
   /// (r^2 * exp(-r^2) is infinity times 0) count as density 0.
   double p22(double r) const override;
-  bool costly() const override { return true; }
+  /// A D takes trigonometry besides its formula.
+  bool costly() const override { return costly_; }
 
  private:
-  FormulaDistribution(std::string name, std::function<double(double)> density);
+  FormulaDistribution(std::string name, std::function<double(double)> density, bool costly);
 
   std::string name_;
   std::function<double(double)> density_;
+  bool costly_;
 };
 
 }  // namespace vndf::precompute

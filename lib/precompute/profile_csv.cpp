@@ -89,7 +89,7 @@ class Reader {
     double value = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value))
-      fail_in_line("'" + std::string(text.substr(0, 60)) + "' is not a finite number");
+      fail_in_line(std::string("'").append(text.substr(0, 60)).append("' is not a finite number"));
     return value;
   }
 

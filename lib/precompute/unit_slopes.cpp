@@ -52,10 +52,10 @@ UnitSlopes::UnitSlopes(const SlopeDistribution& d, const Workers& workers)
 
   const auto ends = segment_ends(d, mean_slope_, end);
   const CurveOptions options{.nodes = kNodes, .open = open};
-  log_q_ =
-      make_curve([&](double a) { return std::log(at(a).q.value / mass_); }, ends, options, workers);
-  log_m_ = make_curve([&](double a) { return std::log(at(a).m.value / (mass_ * mean_slope_)); },
-                      ends, options, workers);
+  log_q_ = make_curve([&](double a) { return std::log(upper_tail(std::sinh(a)).value); }, ends,
+                      options, workers);
+  log_m_ = make_curve([&](double a) { return std::log(moment(std::sinh(a)).value); }, ends, options,
+                      workers);
 
   for (std::size_t k = 0; k < kErrorPlaces; ++k) {
     const auto e = at(ends.back() * static_cast<double>(k) / kErrorPlaces);
@@ -72,19 +72,39 @@ double UnitSlopes::tail_exponent() const {
 }
 
 Estimate UnitSlopes::density(double x) const {
-  const Estimate p = marginals(*distribution_, x * mean_slope_).p;
+  const double at = x * mean_slope_;
+  const auto known = distribution_->marginals(at);
+  const Estimate p = known ? Estimate{known->p, 0} : marginal_density(*distribution_, at);
   const double scale = mean_slope_ / mass_;
   return {p.value * scale, p.error * scale};
 }
 
 Estimate UnitSlopes::upper_tail(double x) const {
-  const Estimate q = marginals(*distribution_, x * mean_slope_).q;
+  const double at = x * mean_slope_;
+  const auto known = distribution_->marginals(at);
+  const Estimate q =
+      known ? Estimate{known->q, 0} : vndf::precompute::upper_tail(*distribution_, at);
   return {q.value / mass_, q.error / mass_};
 }
 
-Estimate UnitSlopes::backfacing(double c) const {
-  const Estimate b = vndf::precompute::backfacing(*distribution_, c * mean_slope_);
+Estimate UnitSlopes::moment(double x) const {
+  const double at = x * mean_slope_;
+  const auto known = distribution_->marginals(at);
+  const Estimate m = known ? Estimate{known->m, 0} : partial_moment(*distribution_, at);
   const double scale = 1 / (mass_ * mean_slope_);
+  return {m.value * scale, m.error * scale};
+}
+
+Estimate UnitSlopes::backfacing(double c) const {
+  const double scale = 1 / (mass_ * mean_slope_);
+  const double at = c * mean_slope_;
+  // M - c Q where both are known and the difference keeps its digits, as it does in a power tail.
+  constexpr double kKept = 1e-3;
+  if (const auto known = distribution_->marginals(at)) {
+    const double difference = known->m - at * known->q;
+    if (difference > kKept * known->m) return {difference * scale, 0};
+  }
+  const Estimate b = vndf::precompute::backfacing(*distribution_, at);
   return {b.value * scale, b.error * scale};
 }
 

@@ -62,9 +62,11 @@ class UnitSlopes {
     return q > 0 ? -log_q_.log_slope_at(b) * q : 0;
   }
 
-  /// Density and upper tail of X and c Lambda(c) at slopes >= 0, straight from their integrals.
+  /// P, Q, M and c Lambda(c) at slopes >= 0, as the distribution knows them or straight from their
+  /// integrals.
   Estimate density(double x) const;
   Estimate upper_tail(double x) const;
+  Estimate moment(double x) const;
   Estimate backfacing(double c) const;
 
  private:
