@@ -38,3 +38,9 @@ TEST_CASE("a guess outside the bracket is replaced") {
   CHECK(bracketed_newton(f, {0, 1}, -50) == Approx(0.25));
   CHECK(bracketed_newton(f, {0, 1}, NAN) == Approx(0.25));
 }
+
+TEST_CASE("a root at an end of the bracket is met to rounding") {
+  const auto f = [](double x) { return ValueAndSlope{0.5 - x, -1}; };
+  CHECK(bracketed_newton(f, {0, 0.5}, 0.5 - 4e-9) == 0.5);
+  CHECK(bracketed_newton(f, {0.5, 1}, 0.5 + 4e-9) == 0.5);
+}

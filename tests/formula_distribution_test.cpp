@@ -46,7 +46,11 @@ TEST_CASE("a formula in r is the density") {
   const auto beckmann = FormulaDistribution::from_p22({"exp(-r^2)/pi", {}});
   for (const double r : {0.0, 0.3, 2.0}) CHECK(beckmann.p22(r) == Approx(Beckmann().p22(r)));
   CHECK(beckmann.name() == "p22(r) = exp(-r^2)/pi");
-  CHECK(beckmann.costly());
+}
+
+TEST_CASE("a normal distribution as a formula is costly, a slope density is not") {
+  CHECK_FALSE(FormulaDistribution::from_p22({"exp(-r^2)/pi", {}}).costly());
+  CHECK(FormulaDistribution::from_ndf(NdfFormula({"cos(theta)^3", {}})).costly());
 }
 
 TEST_CASE("the usual functions and constants are known") {

@@ -34,7 +34,7 @@ double bracketed_newton(F f, Bracket bracket, double guess) {
     // Newton's method squares the error: after a step this small, the next would be lost in
     // rounding.
     const double enough = std::max(kResolution, kLastStep * std::abs(x));
-    if (std::abs(step) <= enough) return inside(x + step) ? x + step : x;
+    if (std::abs(step) <= enough) return std::clamp(x + step, bracket.low, bracket.high);
     x = inside(x + step) ? x + step : middle();
   }
   return x;
