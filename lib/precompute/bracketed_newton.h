@@ -17,8 +17,9 @@ struct Bracket {
 };
 
 /// x with f(x) = 0 for decreasing f that is >= 0 at bracket.low and <= 0 at bracket.high;
-/// f(x) returns ValueAndSlope. Stops when a step is below a few roundings of max(1, |x|), or when
-/// the bracket has no number left inside. `guess` need not be inside the bracket.
+/// f(x) returns ValueAndSlope. Ends with a step below 1e-8 |x| or a few roundings of 1, whose error
+/// is the square of it, or when the bracket has no number left inside. `guess` need not be inside
+/// the bracket.
 template <class F>
 double bracketed_newton(F f, Bracket bracket, double guess) {
   constexpr double kResolution = 4 * std::numeric_limits<double>::epsilon();
