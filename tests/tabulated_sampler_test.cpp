@@ -12,11 +12,15 @@
 #include "closed_forms.h"
 #include "random_inputs.h"
 #include "tolerances.h"
+#include "vndf/normal_sampler.h"
 
 using namespace vndf;
 using namespace vndf::test;
 
 namespace {
+
+static_assert(NormalSampler<TabulatedSampler<float>, float>);
+static_assert(NormalSampler<TabulatedSampler<double>, double>);
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr float kJustBelowOne = 1 - 0x1p-24f;

@@ -34,6 +34,8 @@ struct HomogeneousSlope {
 template <class T>
 class TabulatedSampler {
  public:
+  static constexpr bool kVisible = true;
+
   /// Shares `tables`, which must not be null.
   explicit TabulatedSampler(std::shared_ptr<const SlopeTables> tables)
       : tables_(std::move(tables)),
