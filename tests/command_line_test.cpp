@@ -305,11 +305,12 @@ TEST_CASE("build --list names every family with its parameters") {
 TEST_CASE(
     "specifications, formulas and frozen surfaces become tables whose recipe makes them again") {
   const Folder folder;
-  for (const std::string source : {"student-t:gamma=3", "'mixture:0.7*ggx+0.3*beckmann@0.2'",
-                                   "--p22 'exp(-k*r^2)' --param k=2.5 --name mine",
-                                   "--ndf '1/cos(theta)^4/(1+tan(theta)^2)^3'",
-                                   "--ndf 'alpha^2/(cos(theta)^2*(alpha^2-1)+1)^2'",
-                                   "--ndf 'cos(theta)^(2/alpha^2-2)' --frozen-at 0.3"}) {
+  for (const std::string source :
+       {"student-t:gamma=3", "'mixture:0.7*ggx+0.3*beckmann@0.2'",
+        "--p22 'exp(-k*r^2)' --param k=2.5 --name mine", "--p22 'r < 1 ? 1 : exp(-r)' --break 1",
+        "--ndf '1/cos(theta)^4/(1+tan(theta)^2)^3'",
+        "--ndf 'alpha^2/(cos(theta)^2*(alpha^2-1)+1)^2'",
+        "--ndf 'cos(theta)^(2/alpha^2-2)' --frozen-at 0.3"}) {
     CAPTURE(source);
     REQUIRE(folder.run("build " + source + " -o a.h5 --size 24 --quiet").error.empty());
     const auto info = nlohmann::json::parse(folder.run("info a.h5 --json").out);
@@ -357,6 +358,7 @@ TEST_CASE("what is wrong with a distribution is told before any work, in one lin
   refused("--p22 'exp(-r^2)' --param k=2", "'k'");
   refused("--p22 '(1-r)*exp(-r)'", "p22 is -");
   refused("--p22 '1/(1+r^2)'", "does not converge");
+  refused("--p22 'r < 1 ? 1 : exp(-r)'", "--break");
   refused("--p22 '(1+r^2)^(-1.5)'", "mean slope");
   refused("--p22 'exp(-r)/r'", "infinite at slope radius 0");
   refused("--ndf 'cos(theta)^(2/alpha^2-2)'", "--frozen-at");
@@ -373,5 +375,6 @@ TEST_CASE("options that do not go together are wrong usage") {
   check_failure(folder.run("build ggx --p22 'exp(-r)' -o a.h5"), 2, "one of");
   check_failure(folder.run("build ggx --param k=2 -o a.h5"), 2, "--param");
   check_failure(folder.run("build --p22 'exp(-k*r)' --param k -o a.h5"), 2, "NAME=NUMBER");
+  check_failure(folder.run("build ggx --break 1 -o a.h5"), 2, "--break");
   check_failure(folder.run("build ggx --frozen-at 0.3 -o a.h5"), 2, "--frozen-at");
 }

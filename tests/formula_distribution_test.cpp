@@ -86,6 +86,35 @@ TEST_CASE("a formula in theta is D, frozen at one alpha") {
   CHECK(frozen.name() == "D(theta) = " + kGgxOfTheta + ", alpha=0.25");
 }
 
+TEST_CASE("a formula that is 0 beyond some radius is compact, and the radius is found") {
+  const auto disk = FormulaDistribution::from_p22({"r < 2.5 ? 1 : 0", {}});
+  CHECK(disk.support() == Approx(2.5).epsilon(1e-15));
+  CHECK(disk.breaks() == std::vector<double>{disk.support()});
+  const auto cone = FormulaDistribution::from_p22({"r < 0.3 ? 0.3 - r : 0", {}});
+  CHECK(cone.support() == Approx(0.3).epsilon(1e-12));
+  const auto ndf = FormulaDistribution::from_ndf(NdfFormula({"theta < 0.5 ? 1 : 0", {}}));
+  CHECK(ndf.support() == Approx(std::tan(0.5)).epsilon(1e-12));
+}
+
+TEST_CASE("a formula that sinks below the smallest number has no end") {
+  for (const std::string text : {"exp(-r^2)", "exp(-r)", "exp(-r^16)", "(1+r^2)^(-2)"}) {
+    CAPTURE(text);
+    const auto d = FormulaDistribution::from_p22({text, {}});
+    CHECK(std::isinf(d.support()));
+    CHECK(d.breaks().empty());
+  }
+}
+
+TEST_CASE("breaks of a formula are sorted, and those beyond its end dropped") {
+  const auto d = FormulaDistribution::from_p22({"r < 1 ? 2 : r < 3 ? 1 : 0", {}}, {5, 1, 1});
+  REQUIRE(d.breaks().size() == 2);
+  CHECK(d.breaks()[0] == 1);
+  CHECK(d.breaks()[1] == Approx(3).epsilon(1e-15));
+  for (const double bad : {0.0, -1.0, std::numeric_limits<double>::infinity()})
+    CHECK_THROWS_WITH(FormulaDistribution::from_p22({"exp(-r)", {}}, {bad}),
+                      contains("break") && contains("> 0"));
+}
+
 TEST_CASE("a D of theta alone needs no alpha") {
   const NdfFormula phong({"(n+2)/(2*pi)*cos(theta)^n", {{"n", 50}}});
   CHECK_FALSE(phong.uses_alpha());

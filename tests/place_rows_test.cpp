@@ -64,6 +64,13 @@ TEST_CASE("a square root at a break is resolved") {
   CHECK(worst_error({}, 256, edge) > 5e-3);
 }
 
+TEST_CASE("a layer next to base 0 is resolved") {
+  const auto layer = [](double b) { return 2 - std::exp(-b / 1e-3); };
+  const auto knots = place_rows(source_of(layer), 256, {});
+  CHECK(worst_error({}, 256, layer) > 0.1);
+  CHECK(worst_error(knots, 256, layer) < 1e-3);
+}
+
 TEST_CASE("knots lie on rows, increase, and end where the table ends") {
   auto source = source_of([](double b) { return 1 + b * b * b * b; });
   source.end = 0.7;

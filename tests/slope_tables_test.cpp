@@ -54,6 +54,22 @@ TEST_CASE("a row that decreases is refused") {
   CHECK(refusal(1, 2, 0.125f) == "marginal table, row 1: column 2 is below the column before it");
 }
 
+TEST_CASE("a map that decreases, does not begin at 0 or has a bad tangent is refused") {
+  const auto refusal_of = [](std::vector<MonotoneNode> map) {
+    auto tables = good_tables();
+    tables.marginal_map = std::move(map);
+    return check(tables).value_or("");
+  };
+  CHECK(refusal_of({{0, 0}, {0.5, 1}, {1, 0}}).empty());
+  CHECK(refusal_of({{0.1, 0}, {1, 0}}) ==
+        "marginal map: fewer than two nodes, or the first value is not 0");
+  const std::string rule =
+      ": not at or above the node before it in [0, 1], with a finite tangent >= 0";
+  CHECK(refusal_of({{0, 0}, {0.5, 1}, {0.4, 0}}) == "marginal map, node 2" + rule);
+  CHECK(refusal_of({{0, 0}, {1, -1}}) == "marginal map, node 1" + rule);
+  CHECK(refusal_of({{0, 0}, {1.5, 0}}) == "marginal map, node 1" + rule);
+}
+
 TEST_CASE("a row that does not begin at 0 is refused") {
   CHECK(refusal(0, 0, 0.25f) ==
         "marginal table, row 0: column 0 is not 0, the value at the end of a row");

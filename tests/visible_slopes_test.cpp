@@ -102,6 +102,29 @@ TEST_CASE(
   check_quantiles<GgxForms>();
 }
 
+TEST_CASE("a narrow component within reach of cot(theta) does not spoil the upper tail") {
+  constexpr double kNarrow = 0.01;
+  const auto mixture = parse_distribution("mixture:0.5*ggx+0.5*beckmann@0.01");
+  const UnitSlopes slopes(*mixture, {});
+  const double mu = slopes.mean_slope();
+  // F and M of a mixture add, M with the scale of its component.
+  const auto mass = [](double cosine, double sine, double x) {
+    const double y = x / kNarrow;
+    const double q = (GgxForms::q(x) + BeckmannForms::q(y)) / 2;
+    const double m = (GgxForms::m(x) + kNarrow * BeckmannForms::m(y)) / 2;
+    return cosine * (1 - q) + sine * m;
+  };
+  for (const double c : {0.02, 0.1, 0.125, 0.2, 0.5, 3.0}) {
+    const double sine = 1 / std::hypot(1, c), cosine = c * sine;
+    const VisibleSlopes visible(slopes, bounded_from_slope(c / mu));
+    for (double x = -0.05; x < c; x += 0.003) {
+      CAPTURE(c, x);
+      const double exact = mass(cosine, sine, x) / mass(cosine, sine, c);
+      CHECK(std::abs(visible.cdf(std::asinh(x / mu)).u - exact) <= kMixtureCurveError);
+    }
+  }
+}
+
 TEST_CASE("the visible CDF undoes the quantile in both tails") {
   check_round_trip<BeckmannForms>();
   check_round_trip<GgxForms>();

@@ -82,6 +82,12 @@ std::string parameter_options(const std::vector<std::string>& list) {
   return text;
 }
 
+std::string break_options(const std::vector<double>& breaks) {
+  std::string text;
+  for (const double r : breaks) text += fmt::format(" --break {}", r);
+  return text;
+}
+
 DistributionSource from_spec(const SourceArguments& a) {
   DistributionSource source;
   source.distribution = precompute::parse_distribution(a.spec);
@@ -92,15 +98,17 @@ DistributionSource from_spec(const SourceArguments& a) {
 DistributionSource from_p22(const SourceArguments& a) {
   DistributionSource source;
   source.distribution = std::make_unique<precompute::FormulaDistribution>(
-      precompute::FormulaDistribution::from_p22({a.p22, parse_parameters(a.parameters)}));
-  source.options = "--p22 " + quoted(a.p22) + parameter_options(a.parameters);
+      precompute::FormulaDistribution::from_p22({a.p22, parse_parameters(a.parameters)}, a.breaks));
+  source.options =
+      "--p22 " + quoted(a.p22) + parameter_options(a.parameters) + break_options(a.breaks);
   return source;
 }
 
 DistributionSource from_ndf(const SourceArguments& a) {
   const precompute::NdfFormula ndf({a.ndf, parse_parameters(a.parameters)});
   DistributionSource source;
-  source.options = "--ndf " + quoted(a.ndf) + parameter_options(a.parameters);
+  source.options =
+      "--ndf " + quoted(a.ndf) + parameter_options(a.parameters) + break_options(a.breaks);
   if (a.frozen_at && !ndf.uses_alpha())
     throw CLI::ValidationError("--frozen-at", "the formula does not use alpha");
   if (a.frozen_at) {
@@ -112,7 +120,7 @@ DistributionSource from_ndf(const SourceArguments& a) {
     source.notes = "shape-invariant: alpha only stretches it\n";
   }
   source.distribution = std::make_unique<precompute::FormulaDistribution>(
-      precompute::FormulaDistribution::from_ndf(ndf, a.frozen_at.value_or(1)));
+      precompute::FormulaDistribution::from_ndf(ndf, a.frozen_at.value_or(1), a.breaks));
   return source;
 }
 
@@ -182,6 +190,8 @@ void require_one_source(const SourceArguments& a) {
         "distribution", "give one of: a named distribution, --p22, --ndf, --profile, --normal-map");
   if (a.p22.empty() && a.ndf.empty() && !a.parameters.empty())
     throw CLI::ValidationError("--param", "goes with --p22 or --ndf");
+  if (a.p22.empty() && a.ndf.empty() && !a.breaks.empty())
+    throw CLI::ValidationError("--break", "goes with --p22 or --ndf");
   if (a.ndf.empty() && a.frozen_at) throw CLI::ValidationError("--frozen-at", "goes with --ndf");
 }
 
@@ -196,6 +206,10 @@ void add_source_options(CLI::App& command, SourceArguments& a) {
   command.add_option("--ndf", a.ndf, "Normal distribution, a formula in theta, or theta and alpha")
       ->group(group);
   command.add_option("--param", a.parameters, "NAME=NUMBER that a formula uses; may be repeated")
+      ->group(group);
+  command
+      .add_option("--break", a.breaks,
+                  "Slope radius at which a formula jumps or has a kink; may be repeated")
       ->group(group);
   command.add_option("--frozen-at", a.frozen_at, "Take the surface of this alpha as the shape")
       ->group(group);

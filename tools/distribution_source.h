@@ -15,6 +15,7 @@ namespace vndf::tools {
 struct SourceArguments {
   std::string spec, p22, ndf, profile, map;  // one of them is given
   std::vector<std::string> parameters;       // NAME=NUMBER of a formula
+  std::vector<double> breaks;                // slope radii at which a formula jumps
   std::optional<double> frozen_at;
   std::string tail = "none";
   std::string name;

@@ -51,6 +51,14 @@ void add_axis(Crc64& crc, const std::vector<RowKnot>& knots) {
   }
 }
 
+void add_map(Crc64& crc, const std::vector<MonotoneNode>& nodes) {
+  add_count(crc, nodes.size());
+  for (const auto& node : nodes) {
+    add_number(crc, node.value);
+    add_number(crc, node.tangent);
+  }
+}
+
 void add_curve(Crc64& crc, const LogCurve<double>& curve) {
   add_count(crc, curve.segments().size());
   for (const auto& segment : curve.segments()) {
@@ -69,7 +77,7 @@ void add_curve(Crc64& crc, const LogCurve<double>& curve) {
 
 std::uint64_t content_checksum(const SlopeTables& tables) {
   Crc64 crc;
-  add_text(crc, kCoordinates);
+  add_text(crc, tables.marginal_map.empty() ? kCoordinates : kMappedCoordinates);
   add_text(crc, kInterpolation);
   add_number(crc, tables.mean_slope);
   add_number(crc, tables.support);
@@ -78,6 +86,7 @@ std::uint64_t content_checksum(const SlopeTables& tables) {
   add_table(crc, tables.conditional);
   add_axis(crc, tables.marginal_rows);
   add_axis(crc, tables.conditional_rows);
+  if (!tables.marginal_map.empty()) add_map(crc, tables.marginal_map);
   add_curve(crc, tables.log_ndf);
   add_curve(crc, tables.log_backfacing);
   return crc.value();

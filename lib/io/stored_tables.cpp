@@ -59,6 +59,12 @@ Array stored(std::vector<RowKnot> knots) {
   return {{knots.size(), 2}, std::move(values)};
 }
 
+Array stored(const std::vector<MonotoneNode>& nodes) {
+  std::vector<double> values;
+  for (const auto& node : nodes) values.insert(values.end(), {node.value, node.tangent});
+  return {{nodes.size(), 2}, std::move(values)};
+}
+
 std::size_t node_count(const LogCurve<double>& curve) {
   std::size_t count = 0;
   for (const auto& segment : curve.segments()) count += segment.nodes.size();
@@ -112,6 +118,10 @@ void check_can_be_stored(const TableFile& file) {
   check_size("conditional", file.tables->conditional);
   check_size("log_ndf", file.tables->log_ndf);
   check_size("log_backfacing", file.tables->log_backfacing);
+  if (file.tables->marginal_map.size() > kMaxCurveNodes)
+    throw Refusal("the map of the marginal table is longer than the format allows (" +
+                      std::to_string(kMaxCurveNodes) + " nodes)",
+                  "make a shorter one");
   check_size("distribution", file.tables->distribution);
   check_size("recipe", file.provenance.recipe);
   check_size("program", file.provenance.program);
@@ -142,12 +152,14 @@ const Values& values_of(const Array& array, const std::string& name) {
   throw Refusal("the values of the array '" + name + "' are not " + kTypeName<Values>, kRemake);
 }
 
-void check_named(const StoredTables& stored, const std::string& name, const std::string& known) {
+void check_named(const StoredTables& stored, const std::string& name,
+                 const std::vector<std::string>& known) {
   const auto& found = attribute<std::string>(stored, name);
-  if (found != known)
-    throw Refusal(
-        "its " + name + " '" + found + "' is unknown to this program, which knows '" + known + "'",
-        "use the program that wrote it, or make the file again");
+  if (std::find(known.begin(), known.end(), found) != known.end()) return;
+  std::string names;
+  for (const auto& k : known) names += (names.empty() ? "'" : " and '") + k + "'";
+  throw Refusal("its " + name + " '" + found + "' is unknown to this program, which knows " + names,
+                "use the program that wrote it, or make the file again");
 }
 
 void check_version(const StoredTables& stored) {
@@ -167,8 +179,8 @@ void check_identity(const StoredTables& stored) {
                       "', so another program wrote it",
                   "give a file written by vndf");
   check_version(stored);
-  check_named(stored, "coordinates", kCoordinates);
-  check_named(stored, "interpolation", kInterpolation);
+  check_named(stored, "coordinates", {kCoordinates, kMappedCoordinates});
+  check_named(stored, "interpolation", {kInterpolation});
 }
 
 QuantileTable table_of(const StoredTables& stored, const std::string& name) {
@@ -211,6 +223,15 @@ std::vector<RowKnot> axis_of(const StoredTables& stored, const std::string& name
   return identity ? std::vector<RowKnot>{} : knots;
 }
 
+std::vector<MonotoneNode> map_of(const StoredTables& stored, const std::string& name) {
+  if (attribute<std::string>(stored, "coordinates") != kMappedCoordinates) return {};
+  const Rows rows = rows_of(stored, name, 2, 2);
+  std::vector<MonotoneNode> nodes;
+  for (std::size_t i = 0; i < rows.count; ++i)
+    nodes.push_back({rows.values[2 * i], rows.values[2 * i + 1]});
+  return nodes;
+}
+
 /// A whole number kept as float64, or a value that no check accepts.
 std::size_t count_of(double value) {
   return value >= 0 && value <= static_cast<double>(kMaxCurveNodes)
@@ -251,6 +272,7 @@ SlopeTables tables_of(const StoredTables& stored) {
           .conditional = table_of(stored, "conditional"),
           .marginal_rows = axis_of(stored, "marginal_rows"),
           .conditional_rows = axis_of(stored, "conditional_rows"),
+          .marginal_map = map_of(stored, "marginal_map"),
           .log_ndf = curve_of(stored, "log_ndf", open),
           .log_backfacing = curve_of(stored, "log_backfacing", open)};
 }
@@ -291,20 +313,21 @@ StoredTables to_stored(const TableFile& file) {
   check_can_be_stored(file);
   const SlopeTables& tables = *file.tables;
   StoredTables result;
-  result.attributes = {{"file_type", kFileType},
-                       {"format_major", kFormatMajor},
-                       {"format_minor", kFormatMinor},
-                       {"program", file.provenance.program},
-                       {"recipe", file.provenance.recipe},
-                       {"input_checksum", file.provenance.input_checksum},
-                       {"notes", file.provenance.notes},
-                       {"distribution", tables.distribution},
-                       {"coordinates", kCoordinates},
-                       {"interpolation", kInterpolation},
-                       {"mean_slope", tables.mean_slope},
-                       {"support", tables.support},
-                       {"tail_order", tables.tail_order},
-                       {"content_checksum", hex_digits(content_checksum(tables))}};
+  result.attributes = {
+      {"file_type", kFileType},
+      {"format_major", kFormatMajor},
+      {"format_minor", kFormatMinor},
+      {"program", file.provenance.program},
+      {"recipe", file.provenance.recipe},
+      {"input_checksum", file.provenance.input_checksum},
+      {"notes", file.provenance.notes},
+      {"distribution", tables.distribution},
+      {"coordinates", tables.marginal_map.empty() ? kCoordinates : kMappedCoordinates},
+      {"interpolation", kInterpolation},
+      {"mean_slope", tables.mean_slope},
+      {"support", tables.support},
+      {"tail_order", tables.tail_order},
+      {"content_checksum", hex_digits(content_checksum(tables))}};
   for_each_figure(file.certificate, [&](const std::string& name, double value) {
     result.attributes[certificate_name(name)] = value;
   });
@@ -316,6 +339,7 @@ StoredTables to_stored(const TableFile& file) {
                    {"log_ndf_segments", stored_segments(tables.log_ndf)},
                    {"log_backfacing", stored_nodes(tables.log_backfacing)},
                    {"log_backfacing_segments", stored_segments(tables.log_backfacing)}};
+  if (!tables.marginal_map.empty()) result.arrays["marginal_map"] = stored(tables.marginal_map);
   return result;
 }
 

@@ -7,14 +7,16 @@
 
 namespace vndf::io {
 
-/// A reader refuses any other major version. A newer minor version only adds attributes and arrays,
-/// which an older reader ignores.
-inline constexpr int kFormatMajor = 1, kFormatMinor = 0;
+/// A reader refuses any other major version. A newer minor version adds attributes and arrays,
+/// which an older reader ignores, or names of coordinates, which it refuses.
+inline constexpr int kFormatMajor = 1, kFormatMinor = 1;
 
 /// Value of the attribute `file_type`.
 inline constexpr char kFileType[] = "vndf slope tables";
-/// Name of the axes and values of table_coordinates.h.
+/// Names of the axes and values of table_coordinates.h: without and, since version 1.1, with a map
+/// for the values of the marginal table.
 inline constexpr char kCoordinates[] = "bounded-slope-1";
+inline constexpr char kMappedCoordinates[] = "mapped-slope-1";
 /// Name of the interpolation of table.h.
 inline constexpr char kInterpolation[] = "linear rows, monotone cubic columns";
 

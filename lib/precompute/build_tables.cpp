@@ -11,6 +11,7 @@
 
 #include "precompute/conditional_slopes.h"
 #include "precompute/make_curve.h"
+#include "precompute/marginal_map.h"
 #include "precompute/measure_certificate.h"
 #include "precompute/place_rows.h"
 #include "precompute/visible_slopes.h"
@@ -32,6 +33,12 @@ constexpr double kLargestSlope = 1e8;
 constexpr double kSlowestDecay = 0.3;
 constexpr int kLargestOrder = 16;
 
+// A marginal table with a larger fault than this is made again with a map, and the better one kept.
+constexpr double kGoodFault = 2e-6;
+// What a tail at 1e-6 that is off by a factor counts against an error in u: 5 % as much as 5e-6.
+constexpr double kTailWeight = 1e-4;
+constexpr std::size_t kMapNodesPerColumn = 4;
+
 constexpr double kSmallestMass = 1e-60;
 constexpr double kFarthestStep = 1e-3;
 
@@ -51,15 +58,27 @@ BoundedSlope<double> ordered(double a, int order) {
   return bounded_from_asinh(a / order);  // tau^(1/n) = exp(a / n)
 }
 
-std::vector<double> marginal_values(const UnitSlopes& slopes, int order, double base,
-                                    const Probabilities& u) {
+/// How the quantiles of a marginal table are kept.
+struct MarginalCoding {
+  int order;
+  std::vector<MonotoneNode> nodes = {};
+  MonotoneMap<double> map = MonotoneMap<double>(nodes);
+
+  /// Value of the slope sinh(a) in a row that ends at sinh(farthest).
+  double value(double a, double farthest) const {
+    const double sigma = ordered(a, order).sigma;
+    return map.identity() ? sigma / bounded_from_asinh(farthest).sigma : map.inverse(sigma);
+  }
+};
+
+std::vector<double> marginal_values(const UnitSlopes& slopes, const MarginalCoding& coding,
+                                    double base, const Probabilities& u) {
   const VisibleSlopes visible(slopes, marginal_base_inverse(base));
-  const double farthest = bounded_from_asinh(visible.farthest()).sigma;
   std::vector<double> values;
   double a = -1;
   for (const auto& p : u) {
     const double quantile = visible.quantile(p, a);
-    values.push_back(ordered(quantile, order).sigma / farthest);
+    values.push_back(coding.value(quantile, visible.farthest()));
     if (std::isfinite(quantile)) a = quantile;
   }
   return values;
@@ -77,9 +96,9 @@ std::vector<double> conditional_values(const UnitSlopes& slopes, double base,
   return values;
 }
 
-RowSource marginal_source(const UnitSlopes& slopes, int order) {
-  RowSource source{[&slopes, order](double base, const Probabilities& u) {
-                     return marginal_values(slopes, order, base, u);
+RowSource marginal_source(const UnitSlopes& slopes, const MarginalCoding& coding) {
+  RowSource source{[&slopes, &coding](double base, const Probabilities& u) {
+                     return marginal_values(slopes, coding, base, u);
                    },
                    marginal_column_inverse<double>};
   for (const double r : slopes.distribution().breaks())
@@ -111,43 +130,49 @@ RowSource conditional_source(const UnitSlopes& slopes) {
   return source;
 }
 
-/// Values, row-major, of a table that is being filled.
-struct Filling {
-  const RowSource& source;
-  RowAxis<double> axis;
-  std::size_t rows, columns;
-  Probabilities u = {};
-  std::vector<float> values = {};
-  std::vector<char> filled = {};
-
-  Filling(const RowSource& from, const std::vector<RowKnot>& knots, const BuildOptions& options)
-      : source(from), axis(knots), rows(options.rows), columns(options.columns) {
-    for (std::size_t j = 0; j < columns; ++j)
-      u.push_back(source.column_inverse(coordinate(j, columns)));
-    values.resize(rows * columns);
-    filled.resize(rows);
-  }
-
-  void fill_row(std::size_t i) {
-    const auto row = source.row(axis.base(coordinate(i, rows)), u);
-    filled[i] = !row.empty();
-    const auto to = values.begin() + static_cast<std::ptrdiff_t>(i * columns);
-    std::transform(row.begin(), row.end(), to, [](double v) { return static_cast<float>(v); });
-    // Neighbours may lie closer than root finding tells apart.
-    std::partial_sum(to, to + static_cast<std::ptrdiff_t>(row.size()), to,
-                     [](float below, float v) { return std::max(below, v); });
-  }
-
-  /// Rows beyond the last slope that a sample can reach repeat the row before them.
-  QuantileTable table() {
-    for (std::size_t i = 1; i < rows; ++i)
-      if (!filled[i]) {
-        const auto row = values.begin() + static_cast<std::ptrdiff_t>(i * columns);
-        std::copy(row - static_cast<std::ptrdiff_t>(columns), row, row);
-      }
-    return {rows, columns, values};
-  }
+/// A table with the knots of its rows.
+struct PlacedTable {
+  QuantileTable table;
+  std::vector<RowKnot> knots;
 };
+
+/// Rows, as floats, of a table that is being filled; empty ones where no sample lands.
+using Rows = std::vector<std::vector<float>>;
+
+std::vector<float> rounded(const std::vector<double>& row) {
+  std::vector<float> values(row.size());
+  std::transform(row.begin(), row.end(), values.begin(),
+                 [](double v) { return static_cast<float>(v); });
+  // Neighbours may lie closer than root finding tells apart.
+  std::partial_sum(values.begin(), values.end(), values.begin(),
+                   [](float below, float v) { return std::max(below, v); });
+  return values;
+}
+
+/// Rows beyond the last slope that a sample can reach repeat the row before them.
+QuantileTable joined(const Rows& rows, std::size_t columns) {
+  std::vector<float> values;
+  values.reserve(rows.size() * columns);
+  const std::vector<float>* last = &rows.front();
+  for (const auto& row : rows) {
+    if (!row.empty()) last = &row;
+    values.insert(values.end(), last->begin(), last->end());
+  }
+  return {rows.size(), columns, values};
+}
+
+PlacedTable fill(const RowSource& source, const BuildOptions& options, const Workers& workers) {
+  const auto knots = place_rows(source, options.rows, {workers.threads});
+  const RowAxis<double> axis(knots);
+  Probabilities u;
+  for (std::size_t j = 0; j < options.columns; ++j)
+    u.push_back(source.column_inverse(coordinate(j, options.columns)));
+  Rows rows(options.rows);
+  parallel_for(rows.size(), workers, [&](std::size_t i) {
+    rows[i] = rounded(source.row(axis.base(coordinate(i, options.rows)), u));
+  });
+  return {joined(rows, options.columns), knots};
+}
 
 /// Samples log f(slope) to the end of f.
 template <class F>
@@ -181,41 +206,67 @@ void require_size(std::size_t rows, std::size_t columns) {
                                 std::to_string(columns) + ": from 2x3 to 8192x8192");
 }
 
+/// Workers that report the part of the work from `begin` to `end`, both fractions of the whole.
+Workers reporting(const BuildOptions& options, double begin, double end) {
+  Workers workers{options.threads};
+  if (options.progress)
+    workers.progress = [&options, begin, end](std::size_t done) {
+      const double part = static_cast<double>(done) / static_cast<double>(options.rows);
+      options.progress(begin + (end - begin) * part);
+    };
+  return workers;
+}
+
+void set_marginal(SlopeTables& tables, const UnitSlopes& slopes, const MarginalCoding& coding,
+                  const BuildOptions& options, const Workers& workers) {
+  auto [table, knots] = fill(marginal_source(slopes, coding), options, workers);
+  tables.tail_order = coding.order;
+  tables.marginal = std::move(table);
+  tables.marginal_rows = std::move(knots);
+  tables.marginal_map = coding.nodes;
+}
+
+/// One figure for how bad a table is: its largest error in u or, where it is worse, its tails.
+double fault(const TableErrors& e) {
+  const double tail = std::max(std::abs(std::log(e.lower.e6)), std::abs(std::log(e.upper.e6)));
+  return std::max(e.max_u_error, kTailWeight * tail);
+}
+
+/// The same tables with a map, if that makes the marginal better.
+void try_map(BuiltTables& built, const UnitSlopes& slopes, const BuildOptions& options) {
+  const int order = built.tables->tail_order;
+  const MarginalCoding coding{order,
+                              marginal_map(slopes, order, kMapNodesPerColumn * options.columns)};
+  SlopeTables tables = *built.tables;
+  const Workers workers{options.threads};
+  set_marginal(tables, slopes, coding, options, workers);
+  const auto mapped = share(std::move(tables));
+  const Certificate certificate = measure_certificate(slopes, mapped, workers);
+  if (fault(certificate.marginal) >= fault(built.certificate.marginal)) return;
+  built.tables = mapped;
+  built.certificate = certificate;
+}
+
 }  // namespace
 
 BuiltTables build_tables(const SlopeDistribution& distribution, const BuildOptions& options) {
   require_size(options.rows, options.columns);
-  const Workers quiet{options.threads};
-  const UnitSlopes slopes(distribution, quiet);
-
-  const int order = tail_order(slopes);
-  const RowSource marginal_rows = marginal_source(slopes, order);
-  const RowSource conditional_rows = conditional_source(slopes);
-  const auto marginal_knots = place_rows(marginal_rows, options.rows, quiet);
-  const auto conditional_knots = place_rows(conditional_rows, options.rows, quiet);
-  Filling marginal(marginal_rows, marginal_knots, options);
-  Filling conditional(conditional_rows, conditional_knots, options);
-
-  const std::size_t pieces = 2 * options.rows;
-  Workers workers{options.threads};
-  if (options.progress)
-    workers.progress = [&](std::size_t done) { options.progress(coordinate(done, pieces + 1)); };
-  parallel_for(pieces, workers, [&](std::size_t piece) {
-    (piece % 2 == 0 ? marginal : conditional).fill_row(piece / 2);
-  });
+  const Workers workers{options.threads};
+  const UnitSlopes slopes(distribution, workers);
 
   SlopeTables tables{.distribution = distribution.name(),
                      .mean_slope = slopes.mean_slope(),
                      .support = slopes.support(),
-                     .tail_order = order,
-                     .marginal = marginal.table(),
-                     .conditional = conditional.table(),
-                     .marginal_rows = marginal_knots,
-                     .conditional_rows = conditional_knots,
-                     .log_ndf = ndf_curve(slopes, quiet),
-                     .log_backfacing = backfacing_curve(slopes, quiet)};
+                     .log_ndf = ndf_curve(slopes, workers),
+                     .log_backfacing = backfacing_curve(slopes, workers)};
+  set_marginal(tables, slopes, {tail_order(slopes)}, options, reporting(options, 0, 0.5));
+  auto [table, knots] = fill(conditional_source(slopes), options, reporting(options, 0.5, 1));
+  tables.conditional = std::move(table);
+  tables.conditional_rows = std::move(knots);
+
   BuiltTables built{share(std::move(tables)), {}, slopes.mass(), slopes.quadrature_error()};
-  built.certificate = measure_certificate(slopes, built.tables, quiet);
+  built.certificate = measure_certificate(slopes, built.tables, workers);
+  if (fault(built.certificate.marginal) > kGoodFault) try_map(built, slopes, options);
   return built;
 }
 

@@ -28,8 +28,7 @@ constexpr double kSmallestDensity = 1e-250;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double scale_at(const UnitSlopes& slopes, double x) {
-  const double r = slopes.support();
-  return std::isinf(r) ? std::hypot(1, x) : std::sqrt((r - x) * (r + x));
+  return conditional_scale<double>({x, 1}, std::hypot(1, x), slopes.support());
 }
 
 /// Over [-1, 1]: Boost 1.74 compares the error of that interval with a tolerance for the given one.

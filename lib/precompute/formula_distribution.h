@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "precompute/compiled_formula.h"
 #include "precompute/slope_distribution.h"
@@ -30,15 +31,20 @@ class NdfFormula {
   CompiledFormula formula_;
 };
 
+/// A formula whose density is 0 beyond some radius, as in "r < 2 ? 1 - r/2 : 0", is compact: the
+/// radius is found.
 class FormulaDistribution final : public SlopeDistribution {
  public:
-  /// p22 as a formula in r. Throws as CompiledFormula does.
-  static FormulaDistribution from_p22(const Formula& formula);
+  /// p22 as a formula in r, with the radii at which it jumps or has a kink. Throws as
+  /// CompiledFormula does, and std::invalid_argument unless breaks are finite and > 0.
+  static FormulaDistribution from_p22(const Formula& formula,
+                                      const std::vector<double>& breaks = {});
 
   /// The surface of roughness `alpha` of a normal distribution, in its natural slopes r =
   /// tan(theta). For a shape-invariant D (shape_invariance.h) alpha = 1 is unit roughness. Throws
-  /// std::invalid_argument unless alpha is finite and > 0.
-  static FormulaDistribution from_ndf(const NdfFormula& ndf, double alpha = 1);
+  /// std::invalid_argument unless alpha and breaks, in r, are finite and > 0.
+  static FormulaDistribution from_ndf(const NdfFormula& ndf, double alpha = 1,
+                                      const std::vector<double>& breaks = {});
 
   /// "p22(r) = exp(-a*r), a=2" or "D(theta) = ...", with the alpha of a D that uses it.
   std::string name() const override { return name_; }
@@ -48,13 +54,18 @@ class FormulaDistribution final : public SlopeDistribution {
   double p22(double r) const override;
   /// A D takes trigonometry besides its formula.
   bool costly() const override { return costly_; }
+  std::vector<double> breaks() const override { return breaks_; }
+  double support() const override { return support_; }
 
  private:
-  FormulaDistribution(std::string name, std::function<double(double)> density, bool costly);
+  FormulaDistribution(std::string name, std::function<double(double)> density, bool costly,
+                      const std::vector<double>& breaks);
 
   std::string name_;
   std::function<double(double)> density_;
   bool costly_;
+  double support_;
+  std::vector<double> breaks_;  // increasing, up to the support, which is among them if finite
 };
 
 }  // namespace vndf::precompute

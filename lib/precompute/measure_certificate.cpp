@@ -222,7 +222,8 @@ struct Judge {
     const BoundedSlope<double> exact = bounded_from_sigma<double>(bounded.sigma);
     const ConditionalSlopes conditional(slopes, exact.slope());
     const auto cdf_of = [&](auto sign, auto v) {
-      const double half = conditional.cdf(2 * v / ((1 - v) * (1 + v))).complement / 2;
+      const double y = conditional_value_inverse(double{v}).slope();
+      const double half = conditional.cdf(y).complement / 2;
       return sign < 0 ? from_tail(half) : from_complement(half);
     };
     const auto sampled = [&](const Probability<float>& u2) {

@@ -30,6 +30,7 @@ std::vector<double> interval_ends(const RowSource& source) {
   // A compact distribution ends at `end` like at a break.
   std::vector<double> breaks = source.breaks;
   if (source.end < 1) breaks.push_back(source.end);
+  breaks.push_back(0);
   for (const double b : breaks)
     for (int k = 0; k <= (b == source.end ? kHalvingsAtEnd : kHalvings); ++k)
       for (const double side : {-1.0, 1.0}) {

@@ -1,6 +1,7 @@
 // P, Q, M and B by double-exponential quadrature, piece by piece between the breaks of p22.
 #include "precompute/slope_integrals.h"
 
+#include <algorithm>
 #include <boost/math/quadrature/exp_sinh.hpp>
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <cmath>
@@ -13,7 +14,11 @@
 namespace vndf::precompute {
 namespace {
 
+constexpr char kDoesNotConverge[] =
+    " does not converge; where p22 jumps or has a kink, its radius must be known (vndf build: "
+    "--break)";
 constexpr double kRelativeTolerance = 1e-13;
+constexpr double kFarthestFall = 1e12, kFallResolution = 0.01;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // One rule per thread: Boost 1.74 declares integrate() without const.
@@ -42,34 +47,76 @@ Estimate integrate_between(F f, double low, double high) {
   return {value, error};
 }
 
-/// int_0^inf f(s) ds of a function that is smooth between `breaks`, and 0 beyond the last of them
-/// if it is `bounded`.
+/// The radius closest to `r` that lies strictly between two breaks, so that rounding does not put a
+/// node at the end of a piece on the other side of a jump.
+double inside(double r, double low, double high) {
+  return std::clamp(r, std::nextafter(low, kInfinity), std::nextafter(high, 0));
+}
+
+/// Where an integral along s is cut: at s the radius is a break r of p22, or it is cut for the sake
+/// of the rules and r is that of the break before it.
+struct Cut {
+  double s, r;
+};
+
+/// int_0^inf f(s, r_low, r_high) ds of a function that is smooth between the cuts, which bound the
+/// radius by r_low and r_high, and 0 beyond the last of them if it is `bounded`.
 template <class F>
-Estimate integrate(F f, const std::vector<double>& breaks, bool bounded, double scale) {
+Estimate integrate(F f, double from_radius, const std::vector<Cut>& cuts, bool bounded,
+                   double scale) {
   Estimate sum{0, 0};
   const auto add = [&](const Estimate& e) { sum = {sum.value + e.value, sum.error + e.error}; };
-  double low = 0;
-  for (const double high : breaks) {
-    if (high > low) add(integrate_between(f, low, high));
+  Cut low{0, from_radius};
+  for (const Cut& high : cuts) {
+    const double r_high = high.r > low.r ? high.r : kInfinity;
+    if (high.s > low.s)
+      add(integrate_between([&](double s) { return f(s, low.r, r_high); }, low.s, high.s));
     low = high;
   }
-  if (!bounded) add(integrate_to_infinity(f, low, scale));
+  if (!bounded)
+    add(integrate_to_infinity([&](double s) { return f(s, low.r, kInfinity); }, low.s, scale));
   return sum;
+}
+
+/// s at which `f` has fallen from f(0) to exp(-e_folds) of it, to a hundredth.
+template <class F>
+double fallen_at(F f, double e_folds) {
+  const double level = f(0.0) * std::exp(-e_folds);
+  double low = 0, high = 1;
+  while (f(high) > level && high < kFarthestFall) low = high, high *= 2;
+  while (high - low > kFallResolution * high) {
+    const double middle = (low + high) / 2;
+    (f(middle) > level ? low : high) = middle;
+  }
+  return high;
+}
+
+/// Where a density along s drops so sharply that a rule for the half line would spend its nodes on
+/// finding the edge: cut there, either side is easy. Nothing for one that falls more slowly.
+template <class F>
+std::vector<double> sharp_drop(F density) {
+  constexpr double kSharp = 2;  // the ratio for exp(-s^3)
+  const double edge = fallen_at(density, 1), gone = fallen_at(density, 8);
+  if (!(gone < kSharp * edge)) return {};
+  return {edge};
 }
 
 /// 2 int weight(s) p22(sqrt(x^2 + s^2)) ds.
 template <class Weight>
 Estimate over_column(const SlopeDistribution& d, double x, Weight weight) {
-  std::vector<double> breaks;
+  std::vector<Cut> cuts;
   for (const double r : d.breaks())
-    if (r > x) breaks.push_back(std::sqrt((r - x) * (r + x)));
+    if (r > x) cuts.push_back({std::sqrt((r - x) * (r + x)), r});
   const bool bounded = std::isfinite(d.support());
+  if (cuts.empty() && !bounded)
+    for (const double s : sharp_drop([&](double at) { return d.p22(std::hypot(x, at)); }))
+      cuts.push_back({s, x});
   const auto [value, error] = integrate(
-      [&](double s) {
-        const double density = d.p22(std::hypot(x, s));
+      [&](double s, double r_low, double r_high) {
+        const double density = d.p22(inside(std::hypot(x, s), r_low, r_high));
         return density == 0 ? 0.0 : weight(s) * density;  // a weight may overflow where p22 is 0
       },
-      breaks, bounded, 1 + x);
+      x, cuts, bounded, 1 + x);
   return {2 * value, 2 * error};
 }
 
@@ -102,12 +149,15 @@ Estimate convergent(const SlopeDistribution& d, const std::string& what, F f) {
   constexpr double kUsableError = 1e-6;
   Estimate result{};
   try {
-    result = integrate(f, d.breaks(), std::isfinite(d.support()), 1);
+    std::vector<Cut> cuts;
+    for (const double r : d.breaks()) cuts.push_back({r, r});
+    result = integrate([&](double s, double low, double high) { return f(inside(s, low, high)); },
+                       0, cuts, std::isfinite(d.support()), 1);
   } catch (const boost::math::evaluation_error&) {
-    refuse(d, what + " does not converge");
+    refuse(d, what + kDoesNotConverge);
   }
   if (!std::isfinite(result.value) || !(result.error <= kUsableError * std::abs(result.value)))
-    refuse(d, what + " does not converge");
+    refuse(d, what + kDoesNotConverge);
   return result;
 }
 

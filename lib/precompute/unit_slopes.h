@@ -19,6 +19,9 @@ namespace vndf::precompute {
 /// of a large logarithm.
 inline constexpr double kCurveError = 5e-13;
 
+/// The same for a mixture whose narrowest component is 100 times narrower than the widest.
+inline constexpr double kMixtureCurveError = 1e-10;
+
 /// The same beyond the last node, sinh(20) = 2.4e8, per unit of asinh: the rounding of the tangent
 /// along which a power tail is continued.
 inline constexpr double kContinuationError = 2e-11;

@@ -12,16 +12,34 @@ namespace vndf::precompute {
 namespace {
 
 // Below this distance from the edge at cot(theta) the closed form of 1 - V loses more than two
-// digits, and Gauss's rule on the positive integrand is exact to rounding where P is smooth.
+// digits, and Gauss's rule on the positive integrand is exact to rounding where P is smooth: where
+// it changes by no more than this factor. A narrow part of a mixture takes a smaller distance, at
+// which the closed form loses more digits of a smaller mass.
 constexpr double kNear = 0.25;
+constexpr double kSmoothRatio = 4;
+constexpr double kNearest = 1e-6;
 // exp(-740) is the smallest normal number: no slope that a table holds lies beyond.
 constexpr double kFarthestLow = 740;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+/// Whether P changes slowly from `low` to `high`, both asinh of slopes.
+bool smooth_over(const UnitSlopes& slopes, double low, double high) {
+  constexpr int kPlaces = 8;
+  double least = kInfinity, most = 0;
+  for (int k = 0; k <= kPlaces; ++k) {
+    const double p = slopes.p_da(low + (high - low) * k / kPlaces);
+    least = std::min(least, p);
+    most = std::max(most, p);
+  }
+  return most <= kSmoothRatio * least;
+}
+
 /// From here to the edge Gauss's rule serves: near cot(theta), above the last break of P.
 double smooth_from(const UnitSlopes& slopes, double farthest, double cotangent) {
   if (farthest < cotangent) return kInfinity;  // the edge is that of the distribution
-  double from = farthest - kNear;
+  double near = kNear;
+  while (near > kNearest && !smooth_over(slopes, farthest - near, farthest)) near /= 2;
+  double from = farthest - near;
   for (const double r : slopes.distribution().breaks()) {
     const double a = std::asinh(r / slopes.mean_slope());
     if (a < farthest) from = std::max(from, a);

@@ -46,6 +46,20 @@ Broken check_axis(const std::vector<RowKnot>& knots, const std::string& name) {
   return {};
 }
 
+Broken check_map(const std::vector<MonotoneNode>& nodes, const std::string& name) {
+  if (nodes.empty()) return {};
+  if (nodes.size() < 2 || nodes.front().value != 0)
+    return name + " map: fewer than two nodes, or the first value is not 0";
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const MonotoneNode& n = nodes[k];
+    const bool inside = n.value >= 0 && n.value <= 1 && n.tangent >= 0 && std::isfinite(n.tangent);
+    if (!inside || (k > 0 && n.value < nodes[k - 1].value))
+      return name + " map, node " + std::to_string(k) +
+             ": not at or above the node before it in [0, 1], with a finite tangent >= 0";
+  }
+  return {};
+}
+
 Broken check_segment(const LogCurveSegment<double>& segment, double least) {
   if (!(segment.begin >= least) || !(segment.end > segment.begin) || !std::isfinite(segment.end))
     return "ends are not increasing numbers";
@@ -83,6 +97,7 @@ std::optional<std::string> check(const SlopeTables& tables) {
   if (const Broken b = check_table(tables.conditional, "conditional")) return b;
   if (const Broken b = check_axis(tables.marginal_rows, "marginal")) return b;
   if (const Broken b = check_axis(tables.conditional_rows, "conditional")) return b;
+  if (const Broken b = check_map(tables.marginal_map, "marginal")) return b;
   if (const Broken b = check_curve(tables.log_ndf, "log_ndf")) return b;
   return check_curve(tables.log_backfacing, "log_backfacing");
 }

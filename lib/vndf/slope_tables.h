@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "vndf/log_curve.h"
+#include "vndf/monotone_map.h"
 #include "vndf/row_axis.h"
 #include "vndf/table.h"
 
@@ -26,9 +27,12 @@ struct SlopeTables {
   int tail_order = 1;
   /// sigma_n(x) / sigma(c) over (theta, u1) and 2 sigma(y / scale) - 1 over (|x|, u2); the
   /// coordinates are in table_coordinates.h.
-  QuantileTable marginal, conditional;
+  QuantileTable marginal = {}, conditional = {};
   /// Knots of the row axes, from row 0 to row 1; none where rows are equidistant.
-  std::vector<RowKnot> marginal_rows, conditional_rows;
+  std::vector<RowKnot> marginal_rows = {}, conditional_rows = {};
+  /// Nodes of the map from the values of the marginal table to sigma_n(x); none where they are
+  /// sigma_n(x) / sigma(c) themselves.
+  std::vector<MonotoneNode> marginal_map = {};
   /// Distribution of normals at alpha = 1 / mu, D = p22 (1 + r^2)^2, over asinh(r).
   LogCurve<double> log_ndf;
   /// E[(X - c)+] = c Lambda(c): area of back-facing facets seen per unit of sin(theta), over
@@ -37,7 +41,7 @@ struct SlopeTables {
 };
 
 /// The first rule that `tables` breaks, with the place, or nothing: sizes, finite values, rows that
-/// increase within [0, 1] from 0, knots that increase, curves whose segments do.
+/// increase within [0, 1] from 0, knots and maps that increase, curves whose segments do.
 std::optional<std::string> check(const SlopeTables& tables);
 
 /// Tables ready to share. Throws std::invalid_argument with the message of check().

@@ -17,7 +17,8 @@
 //                      value  sigma_n(x) / sigma(c): 0 and, at order 1, 1 at the ends of every row,
 //                             so that x <= c holds between rows too (at a higher order sigma_n(c),
 //                             below sigma(c), is put in its place where the product is larger); c
-//                             is at most the largest slope there is
+//                             is at most the largest slope there is. Or, where that would err too
+//                             much, s with map(s) = sigma_n(x), a map made for the distribution
 //   conditional table  base   sqrt(|2 sigma(x) - 1|): 0 at x = 0, 1 at |x| = infinity
 //                      column t = b / (a + b), a = s^(1/2), b = (1 - s)^(1/2), s = q^(1/2),
 //                             q = 1 - |2 u2 - 1|: the half y >= 0, the other by symmetry
@@ -187,6 +188,29 @@ Probability<T> conditional_column_inverse(T t) {
 template <class T>
 T conditional_value(const BoundedSlope<T>& y) {
   return y.sigma - y.complement;
+}
+
+/// A slope as a fraction, infinite at denominator 0.
+template <class T>
+struct SlopeFraction {
+  T numerator, denominator;
+
+  T slope() const { return numerator / denominator; }
+};
+
+/// Inverse of conditional_value.
+template <class T>
+SlopeFraction<T> conditional_value_inverse(T v) {
+  return {T(2) * v, (T(1) - v) * (T(1) + v)};
+}
+
+/// Scale of the conditional at the slope x = numerator / denominator, times the denominator;
+/// `hypotenuse` is sqrt(numerator^2 + denominator^2), `support` the largest slope R.
+template <class T>
+T conditional_scale(const SlopeFraction<T>& x, T hypotenuse, T support) {
+  if (std::isinf(support)) return hypotenuse;
+  const T edge = support * x.denominator;
+  return std::sqrt(std::max(T(0), (edge - x.numerator) * (edge + x.numerator)));
 }
 
 }  // namespace vndf

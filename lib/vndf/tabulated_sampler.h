@@ -44,6 +44,7 @@ class TabulatedSampler {
         bounded_support_(bounded_from_slope(support_)),
         marginal_rows_(tables_->marginal_rows),
         conditional_rows_(tables_->conditional_rows),
+        marginal_map_(tables_->marginal_map),
         log_ndf_(tables_->log_ndf),
         log_backfacing_(tables_->log_backfacing) {}
 
@@ -75,8 +76,9 @@ class TabulatedSampler {
     // 2.b conditional: y is the slope in the table times a scale that depends on x
     const FoldedProbability<T> folded = fold(probability(u2));
     const T v = sample_conditional(x, folded.p);
-    const T dx = x.denominator(), dy = (T(1) - v) * (T(1) + v);
-    return {x.numerator() * dy, folded.sign * scale_numerator(x) * T(2) * v, dx * dy};
+    const SlopeFraction<T> fx{x.numerator(), x.denominator()}, fy = conditional_value_inverse(v);
+    const T scale = folded.sign * conditional_scale(fx, x.hypotenuse(), support_);
+    return {fx.numerator * fy.denominator, scale * fy.numerator, fx.denominator * fy.denominator};
   }
 
   /// The marginal quantile at u1, in units of the mean slope; at most the slope `c`.
@@ -93,21 +95,15 @@ class TabulatedSampler {
         c.complement > bounded_support_.complement ? c : bounded_support_;
     const T row = marginal_rows_.row(marginal_base(c));
     const T w = tables_->marginal.lookup(row, marginal_column(u1));
-    return bounded_from_sigma(std::min(farthest.sigma * w, to_order(farthest, order).sigma));
+    const T sigma = marginal_map_.identity() ? farthest.sigma * w : marginal_map_.at(w);
+    return bounded_from_sigma(std::min(sigma, to_order(farthest, order).sigma));
   }
 
   /// The value v = 2 sigma - 1 of |y| / scale that a sampled |y| stays below with probability p:
-  /// |y| = scale(x) 2 v / (1 - v^2).
+  /// |y| = scale(x) conditional_value_inverse(v).
   T sample_conditional(const BoundedSlope<T>& x, const Probability<T>& p) const noexcept {
     const T row = conditional_rows_.row(conditional_base(x));
     return tables_->conditional.lookup(row, conditional_column(p));
-  }
-
-  /// Scale of the conditional slope times x.denominator().
-  T scale_numerator(const BoundedSlope<T>& x) const noexcept {
-    if (std::isinf(support_)) return x.hypotenuse();
-    const T edge = support_ * x.denominator();
-    return std::sqrt(std::max(T(0), (edge - x.numerator()) * (edge + x.numerator())));
   }
 
   /// Density of normals D(wm) per solid angle; 0 for a horizontal or back-facing normal.
@@ -185,6 +181,7 @@ class TabulatedSampler {
   T mean_slope_, support_;
   BoundedSlope<T> bounded_support_;
   RowAxis<T> marginal_rows_, conditional_rows_;
+  MonotoneMap<T> marginal_map_;
   LogCurve<T> log_ndf_, log_backfacing_;
 };
 
