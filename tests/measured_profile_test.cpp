@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "catch.h"
-#include "precompute/visible_slopes.h"
+#include "visible_difference.h"
 
 using namespace vndf;
 using namespace vndf::precompute;
@@ -64,18 +64,6 @@ double logarithmic(double v) {
 }
 double arc(double v) {
   return std::tan(std::numbers::pi / 2 * (0.0025 + 0.995 * v));
-}
-
-double largest_difference(const UnitSlopes& a, const UnitSlopes& b) {
-  double worst = 0;
-  for (const double degrees : {0.0, 10.0, 45.0, 80.0, 89.0, 90.0}) {
-    const double theta = degrees * std::numbers::pi / 180;
-    const auto c = bounded_cotangent(degrees == 90 ? 0 : std::cos(theta), std::sin(theta));
-    const VisibleSlopes va(a, c), vb(b, c);
-    for (double x = -10; x < std::min(va.farthest(), 10.0); x += 0.05)
-      worst = std::max(worst, std::abs(va.cdf(x).u - vb.cdf(x).u));
-  }
-  return worst;
 }
 
 /// Whether p22 between two samples never leaves their range.

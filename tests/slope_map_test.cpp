@@ -19,7 +19,7 @@
 
 #include "catch.h"
 #include "io/map_image.h"
-#include "precompute/visible_slopes.h"
+#include "visible_difference.h"
 
 using namespace vndf;
 using namespace vndf::precompute;
@@ -77,18 +77,6 @@ Slopes stretched(Slopes slopes) {
   for (auto& s : slopes)
     s = {kMeanX + kScaleX * s.x, kMeanY + kScaleY * (kCorrelation * s.x + rest * s.y)};
   return slopes;
-}
-
-double largest_difference(const UnitSlopes& a, const UnitSlopes& b) {
-  double worst = 0;
-  for (const double degrees : {0.0, 10.0, 45.0, 80.0, 89.0, 90.0}) {
-    const double theta = degrees * std::numbers::pi / 180;
-    const auto c = bounded_cotangent(degrees == 90 ? 0 : std::cos(theta), std::sin(theta));
-    const VisibleSlopes va(a, c), vb(b, c);
-    for (double x = -10; x < std::min(va.farthest(), 10.0); x += 0.05)
-      worst = std::max(worst, std::abs(va.cdf(x).u - vb.cdf(x).u));
-  }
-  return worst;
 }
 
 /// The stretch and every visible CDF come back; the latter within the reported error itself.
