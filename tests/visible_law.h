@@ -117,12 +117,13 @@ std::vector<T> probes() {
   return list;
 }
 
-/// Calls `visit(u1, u2)` for each probe u1 with a fifth of the probes u2, and the reverse.
+/// Calls `visit(u1, u2)` for each probe u1 with each `stride`-th of the probes u2, another set for
+/// the next u1.
 template <class T, class Visit>
-void for_each_probe(Visit visit) {
+void for_each_probe(Visit visit, std::size_t stride = 5) {
   const std::vector<T> list = probes<T>();
   for (std::size_t i = 0; i < list.size(); ++i)
-    for (std::size_t j = i % 5; j < list.size(); j += 5) visit(list[i], list[j]);
+    for (std::size_t j = i % stride; j < list.size(); j += stride) visit(list[i], list[j]);
 }
 
 inline void take_larger(LawErrors& worst, double x, double y) {
