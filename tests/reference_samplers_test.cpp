@@ -1,6 +1,9 @@
 // What every reference sampler promises for every input: finite unit normals on the right side,
 // densities that are numbers, the stated results out of range.
 #include <limits>
+#include <random>
+#include <string>
+#include <utility>
 
 #include "catch.h"
 #include "random_inputs.h"

@@ -161,6 +161,25 @@ TEST_CASE("stratified numbers choose sides evenly: each of 4096 strata of u1, in
   CHECK(mean == Approx(expected / kSteps).margin(GgxCavity<float>::kReuseError));
 }
 
+TEST_CASE("the law of a groove's side errs by no more than kReuseError without a third number") {
+  // All u1 of 24 bits at one groove radius: the azimuth of the chosen facet against its CDF,
+  // int_0^phi (1 + k cos) / (2 pi), k = r tan(theta), where both sides are visible.
+  const GgxCavity<float> cavity;
+  const auto wi = direction_at<float>(40);
+  const float u2 = 0.3f;
+  const double r = 0.5 * std::sqrt(0.3 / 0.7), k = r * double{wi.x} / double{wi.z};
+  REQUIRE(k < 1);
+  std::vector<double> numbers;
+  constexpr int kSkip = 61;  // odd, so that the last digits take every value
+  for (int n = 0; n < 1 << 24; n += kSkip) {
+    const auto m = cavity.sample(wi, {0.5f, 0.5f}, std::ldexp(static_cast<float>(n), -24), u2);
+    const double phi = std::atan2(double{m.y}, double{m.x});
+    const double turn = phi < 0 ? phi + 2 * std::numbers::pi : phi;
+    numbers.push_back((turn + k * std::sin(turn)) / (2 * std::numbers::pi));
+  }
+  CHECK(distance_from_uniform(numbers) <= GgxCavity<float>::kReuseError);
+}
+
 TEST_CASE("the two-argument G1 is the mean of the facets' masking, by projected area") {
   const GgxCavity<double> cavity;
   const auto wi = direction_at<double>(70, 35);

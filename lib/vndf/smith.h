@@ -77,7 +77,8 @@ class VisibleSampler : public SmithSurface<T, Shape> {
 
   /// Draws a normal visible from `wi` (wi.z >= 0). Any u is accepted; outside [0, 1] it is moved to
   /// the nearer end. At the exact pole the azimuth is taken as 0. Returns a unit normal with
-  /// wm.z >= 0 and dot(wi, wm) >= -kFacingSlack<T>; (0, 0, 1) for an input outside its range.
+  /// wm.z >= 0 and dot(wi, wm) >= -kFacingSlack<T>, but for the methods that take a cone for normal
+  /// incidence and say so; (0, 0, 1) for an input outside its range.
   Vec3<T> sample(const Vec3<T>& wi, const Alpha<T>& alpha, T u1, T u2) const noexcept {
     if (!valid(wi, alpha)) return {T(0), T(0), T(1)};
     // 1. stretch

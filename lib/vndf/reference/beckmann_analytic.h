@@ -31,7 +31,7 @@ struct BeckmannAnalyticMethod {
     const T a = wi.cos / wi.sin;
     const T erf_a = std::erf(a), exp_a2 = std::exp(-a * a);
     const T edge_mass = T(0.5) * std::numbers::inv_sqrtpi_v<T> * exp_a2;
-    // G1 / a = 1 / (a + a Lambda), finite at the horizon; C = 1 - G1 erf(a)
+    // G1 = a / (a + a Lambda), a number at the horizon too; C = 1 - G1 erf(a)
     const T g1 = a / (a + T(0.5) * a * (erf_a - T(1)) + edge_mass);
     const T c = std::clamp(T(1) - g1 * erf_a, T(0), T(1));
     if (u1.u <= c) {

@@ -1,5 +1,5 @@
 // All normals of the Blinn-Phong distribution, visible or not: D = (n + 2) / (2 pi) cos^n(theta),
-// n + 2 = 2 / alpha^2 (Walter et al. 2007, equations 30 and 31); anisotropic, n = n_x cos^2(phi) +
+// n + 2 = 2 / alpha^2 (Walter et al. 2007, section 5.2); anisotropic, n = n_x cos^2(phi) +
 // n_y sin^2(phi) (Ashikhmin and Shirley 2000), normalised to project to area 1.
 #pragma once
 

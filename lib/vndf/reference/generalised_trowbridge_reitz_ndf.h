@@ -1,5 +1,5 @@
 // All normals of the generalised Trowbridge-Reitz distribution, visible or not (Burley 2012,
-// appendix B.2): D = c (1 + (alpha^2 - 1) cos^2(theta))^-gamma. gamma = 2 is GGX.
+// appendix B): D = c (1 + (alpha^2 - 1) cos^2(theta))^-gamma. gamma = 2 is GGX.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@
 namespace vndf {
 
 /// Evaluated in double. Let L = log(alpha^2) and g = gamma - 1. The normalised mass below theta,
-/// with t = (1 + (alpha^2 - 1) cos^2(theta)) = exp(w), is 1 - (exp(-g w) - 1) / (exp(-g L) - 1),
+/// with t = 1 + (alpha^2 - 1) cos^2(theta) = exp(w), is 1 - (exp(-g w) - 1) / (exp(-g L) - 1),
 /// and w runs from L at the pole to 0 at the horizon. gamma = 1 and alpha = 1 are limits, which a g
 /// or L too small to matter takes.
 class GtrProfile {

@@ -86,7 +86,7 @@ struct GgxExactMethod {
                                           const Probability<T>& u2) {
     const SlopeAngle x = visible_ggx_angle(in_double(wi), in_double(u1));
     const auto folded = fold(in_double(u2));
-    // y / x's hypotenuse is p / q with the smaller of them a tangent
+    // z = y / sqrt(1 + x^2) is p / q, 1 over a tangent in the tail, and sqrt(1 + x^2) is 1 / x.cos
     const bool tail = folded.p.complement <= 0.5;
     const double p = tail ? 1 : conditional_ggx_middle(folded.p.u);
     const double q = tail ? conditional_ggx_tail(folded.p.complement) : 1;
