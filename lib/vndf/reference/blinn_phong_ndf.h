@@ -14,7 +14,7 @@ namespace vndf {
 
 struct BlinnPhongProfile {
   /// Largest |CDF - u| of azimuth and elevation in double and in float, which is rounding.
-  static constexpr double kError = 1e-14, kFloatError = 5e-7;
+  static constexpr double kError = 1e-15, kFloatError = 5e-7;
   /// Largest error of G1, of which no closed form is known: lambda() and g1() are those of Beckmann
   /// at the same alpha, as Walter et al. 2007 (section 5.2) do. They mask too little. Isotropic,
   /// theta to 89 degrees: alpha to 1, to 0.3 and to 0.1.
