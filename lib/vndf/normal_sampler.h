@@ -7,7 +7,9 @@
 //
 // A sampler with kVisible draws from D_wi (Heitz and d'Eon 2014, equation 2), so that its pdf is
 // g1(wi) dot(wi, wm)+ d(wm) / wi.z; one without draws from D(wm) wm.z and does not look at wi
-// (Algorithm 1).
+// (Algorithm 1). Two wrappers change a part of that: of V-cavities the masking depends on wm
+// (reference/v_cavity.h), and Walter's trick draws from D at another roughness
+// (reference/walter_roughness.h). Either way pdf() is the density of sample().
 #pragma once
 
 #include <concepts>

@@ -10,26 +10,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <utility>
 
 #include "vndf/slope_tables.h"
+#include "vndf/stretch.h"
 #include "vndf/table_coordinates.h"
 #include "vndf/vec.h"
 
 namespace vndf {
-
-/// Smallest dot(wi, wm) that rounding can leave on a sampled normal, whose exact value is >= 0.
-template <class T>
-inline constexpr T kFacingSlack = T(4) * std::numeric_limits<T>::epsilon();
-
-/// A slope in the frame of the stretched incident direction, in units of the mean slope:
-/// (x / w, y / w), w >= 0.
-template <class T>
-struct HomogeneousSlope {
-  T x, y, w;
-};
 
 template <class T>
 class TabulatedSampler {
@@ -59,14 +48,11 @@ class TabulatedSampler {
     if (!valid(wi, alpha)) return {T(0), T(0), T(1)};
     // 1. stretch
     const Alpha<T> a = normalized(alpha);
-    const Azimuth phi = azimuth(a.x * wi.x, a.y * wi.y);
+    const Azimuth<T> phi = azimuth(a.x * wi.x, a.y * wi.y);
     // 2. sample the slope of the stretched configuration
     const HomogeneousSlope<T> slope = sample_slope(bounded_cotangent(wi.z, phi.length), u1, u2);
-    // 3. rotate
-    const T x = phi.cos * slope.x - phi.sin * slope.y;
-    const T y = phi.sin * slope.x + phi.cos * slope.y;
-    // 4. unstretch, 5. compute the normal
-    return normalize_or_up(Vec3<T>{-a.x * x, -a.y * y, slope.w});
+    // 3. rotate, 4. unstretch, 5. compute the normal
+    return unstretched_normal(slope, phi, a);
   }
 
   /// Steps 2.a and 2.b of Algorithm 4: the slope seen from cotangent `c`, both at unit mean slope.
@@ -140,32 +126,9 @@ class TabulatedSampler {
   }
 
  private:
-  struct Azimuth {
-    T cos, sin, length;
-  };
-
-  static bool valid(const Vec3<T>& w, const Alpha<T>& alpha) {
-    return w.z >= T(0) && std::isfinite(w.x) && std::isfinite(w.y) && alpha.x > T(0) &&
-           alpha.y > T(0) && std::isfinite(alpha.x) && std::isfinite(alpha.y);
-  }
-
   /// Roughness in units in which the mean slope is 1.
   Alpha<T> normalized(const Alpha<T>& alpha) const {
     return {alpha.x * mean_slope_, alpha.y * mean_slope_};
-  }
-
-  /// Azimuth and length of a horizontal vector. Only the zero vector has none: a vector too short
-  /// to square is scaled up first, for the map is continuous along every azimuth up to the pole.
-  static Azimuth azimuth(T x, T y) {
-    constexpr T kTooShort = T(1e-15), kScale = T(1e18);
-    const T largest = std::max(std::abs(x), std::abs(y));
-    if (largest == T(0)) return {T(1), T(0), T(0)};
-    if (largest < kTooShort) {
-      const T length = std::hypot(x * kScale, y * kScale);
-      return {x * kScale / length, y * kScale / length, length / kScale};
-    }
-    const T length = std::sqrt(x * x + y * y);
-    return {x / length, y / length, length};
   }
 
   /// wi.z Lambda(wi): the projected area of the facets that face away from wi.

@@ -1,0 +1,16 @@
+// All normals of the Beckmann distribution, visible or not: tan^2(theta) = -log(1 - u2) at unit
+// roughness (Walter et al. 2007, equation 28).
+#pragma once
+
+#include "vndf/beckmann.h"
+#include "vndf/reference/shape_ndf.h"
+
+namespace vndf {
+
+/// Largest |CDF - u| of azimuth and elevation in double and in float, which is rounding.
+inline constexpr double kBeckmannNdfError = 1e-15, kBeckmannNdfFloatError = 5e-7;
+
+template <class T>
+using BeckmannNdf = ShapeNdf<T, BeckmannShape>;
+
+}  // namespace vndf

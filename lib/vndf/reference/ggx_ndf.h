@@ -1,0 +1,16 @@
+// All normals of the GGX distribution, visible or not: tan^2(theta) = u2 / (1 - u2) at unit
+// roughness (Walter et al. 2007, equation 35).
+#pragma once
+
+#include "vndf/ggx.h"
+#include "vndf/reference/shape_ndf.h"
+
+namespace vndf {
+
+/// Largest |CDF - u| of azimuth and elevation in double and in float, which is rounding.
+inline constexpr double kGgxNdfError = 1e-15, kGgxNdfFloatError = 5e-7;
+
+template <class T>
+using GgxNdf = ShapeNdf<T, GgxShape>;
+
+}  // namespace vndf

@@ -1,0 +1,35 @@
+// Root of an increasing function within a bracket: Newton's method, with bisection wherever a step
+// would leave the bracket. It always converges.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vndf {
+
+struct ValueAndDerivative {
+  double value, derivative;
+};
+
+/// x in [low, high] with f(x) = 0, for increasing f with f(low) <= 0 <= f(high); f returns
+/// ValueAndDerivative. Ends with a step below 1e-9 |x|, whose error is the square of it, or when
+/// the bracket has no number left inside.
+template <class F>
+double increasing_root(F f, double low, double high, double guess) {
+  constexpr double kLastStep = 1e-9;
+  const auto inside = [&](double x) { return x > low && x < high; };
+  double x = inside(guess) ? guess : low + (high - low) / 2;
+  while (inside(x)) {
+    const ValueAndDerivative at = f(x);
+    if (at.value == 0) return x;
+    (at.value < 0 ? low : high) = x;
+    const double step = -at.value / at.derivative;
+    if (std::abs(step) <= std::max(kLastStep * std::abs(x), std::numeric_limits<double>::min()))
+      return std::clamp(x + step, low, high);
+    x = inside(x + step) ? x + step : low + (high - low) / 2;
+  }
+  return x;
+}
+
+}  // namespace vndf

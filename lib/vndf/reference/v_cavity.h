@@ -1,0 +1,91 @@
+// Visible normals of the V-cavity model: each facet wm = (x, y, z) forms a groove with its mirror
+// wm' = (-x, -y, z), and nothing else masks it (Heitz and d'Eon 2014, section 4 and appendix B).
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "vndf/stretch.h"
+#include "vndf/table_coordinates.h"
+
+namespace vndf {
+
+/// Masking of the facet `wm` seen from `w` (equation 3), both sides of the horizon; 0 where they
+/// are on different sides of the facet and of the horizon.
+template <class T>
+T v_cavity_g1(const Vec3<T>& w, const Vec3<T>& wm) {
+  const T facing = dot(w, wm);
+  if (!(facing * w.z > T(0))) return T(0);
+  return std::min(T(1), T(2) * std::abs(wm.z * w.z / facing));
+}
+
+/// Masking and shadowing of the facet `wm` (section 2.1): correlated above the horizon,
+/// anticorrelated below it.
+template <class T>
+T v_cavity_g2(const Vec3<T>& wi, const Vec3<T>& wo, const Vec3<T>& wm) {
+  const T in = v_cavity_g1(wi, wm), out = v_cavity_g1(wo, wm);
+  return wo.z > T(0) ? std::min(in, out) : std::max(in + out - T(1), T(0));
+}
+
+/// Around any sampler of all normals.
+template <class T, class NdfSampler>
+class VCavity {
+ public:
+  static_assert(!NdfSampler::kVisible, "the V-cavity model is built on a sampler of all normals");
+  static constexpr bool kVisible = true;
+
+  /// sample() without u3 takes it from the binary digits of u1 below this many: half of what a
+  /// float or a generator of 24 bits has. It errs by no more than kReuseError, |CDF - u|.
+  static constexpr int kKeptDigits = 12;
+  static constexpr double kReuseError = 1.0 / (1 << kKeptDigits);
+
+  explicit VCavity(const NdfSampler& sampler = NdfSampler()) : sampler_(sampler) {}
+
+  /// Algorithm 3, exact: a normal visible from `wi`, of which u1 and u2 choose the groove and u3
+  /// the side. Any u is accepted. Returns a unit normal with wm.z >= 0 and dot(wi, wm) >= 0;
+  /// (0, 0, 1) for an input outside its range.
+  Vec3<T> sample(const Vec3<T>& wi, const Alpha<T>& alpha, T u1, T u2, T u3) const noexcept {
+    // 1. choose the groove
+    const Vec3<T> m = sampler_.sample(wi, alpha, u1, u2), mirror{-m.x, -m.y, m.z};
+    if (!valid(wi, alpha)) return m;
+    // 2. choose the side by projected area
+    const T area = std::max(T(0), dot(wi, m)), mirror_area = std::max(T(0), dot(wi, mirror));
+    const bool other = area == T(0) || probability(u3).u * (area + mirror_area) < mirror_area;
+    return other ? mirror : m;
+  }
+
+  /// The same with the digits of u1 below the first kKeptDigits for u3: all of u1 still chooses the
+  /// azimuth, and stratified numbers keep their strata, of which up to 2^kKeptDigits choose sides
+  /// evenly. Numbers on a lattice, whose last digits are all alike, must use the form above.
+  Vec3<T> sample(const Vec3<T>& wi, const Alpha<T>& alpha, T u1, T u2) const noexcept {
+    const T scaled = std::ldexp(probability(u1).u, kKeptDigits);
+    return sample(wi, alpha, u1, u2, scaled - std::floor(scaled));
+  }
+
+  /// Density of sample() per solid angle, g1(wi, wm) dot(wi, wm)+ D(wm) / wi.z in the form of
+  /// appendix B, which is finite up to the horizon; 0 for an input outside its range.
+  T pdf(const Vec3<T>& wi, const Vec3<T>& wm, const Alpha<T>& alpha) const noexcept {
+    const T area = dot(wi, wm);
+    if (!valid(wi, alpha) || !(area > T(0))) return T(0);
+    const T mirror_area = std::max(T(0), dot(wi, Vec3<T>{-wm.x, -wm.y, wm.z}));
+    return T(2) * (area / (area + mirror_area)) * sampler_.d(wm, alpha) * wm.z;
+  }
+
+  T d(const Vec3<T>& wm, const Alpha<T>& alpha) const noexcept { return sampler_.d(wm, alpha); }
+  T lambda(const Vec3<T>& w, const Alpha<T>& alpha) const noexcept {
+    return sampler_.lambda(w, alpha);
+  }
+
+  /// Masking of the facet `wm`: unlike Smith's it depends on the facet.
+  T g1(const Vec3<T>& w, const Vec3<T>& wm, const Alpha<T>&) const noexcept {
+    return v_cavity_g1(w, wm);
+  }
+  /// Its mean over the facets that face `w`, weighted by their projected areas, which is Smith's
+  /// G1: both models conserve the projected area w.z.
+  T g1(const Vec3<T>& w, const Alpha<T>& alpha) const noexcept { return sampler_.g1(w, alpha); }
+
+ private:
+  NdfSampler sampler_;
+};
+
+}  // namespace vndf

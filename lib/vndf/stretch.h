@@ -1,0 +1,75 @@
+// The steps around every sampler of a shape-invariant distribution (Heitz and d'Eon 2014,
+// Algorithm 4): the incident direction is stretched by alpha to unit roughness (step 1); the slope
+// sampled there is rotated to its azimuth, unstretched and turned into a normal (steps 3 to 5).
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "vndf/vec.h"
+
+namespace vndf {
+
+/// Smallest dot(wi, wm) that rounding can leave on a sampled normal, whose exact value is >= 0.
+template <class T>
+inline constexpr T kFacingSlack = T(4) * std::numeric_limits<T>::epsilon();
+
+/// A slope in the frame of the stretched incident direction, (x / w, y / w), w >= 0.
+template <class T>
+struct HomogeneousSlope {
+  T x, y, w;
+};
+
+/// The slope (x, y), of which one or both may be infinite.
+template <class T>
+HomogeneousSlope<T> homogeneous_slope(T x, T y) {
+  if (std::isinf(x) || std::isinf(y)) {
+    const auto at_infinity = [](T v) { return std::isinf(v) ? std::copysign(T(1), v) : T(0); };
+    return {at_infinity(x), at_infinity(y), T(0)};
+  }
+  const T scale = std::max({T(1), std::abs(x), std::abs(y)});
+  return {x / scale, y / scale, T(1) / scale};
+}
+
+/// Whether `w` is a direction on or above the horizon and `alpha` a roughness.
+template <class T>
+bool valid(const Vec3<T>& w, const Alpha<T>& alpha) {
+  return w.z >= T(0) && std::isfinite(w.x) && std::isfinite(w.y) && alpha.x > T(0) &&
+         alpha.y > T(0) && std::isfinite(alpha.x) && std::isfinite(alpha.y);
+}
+
+/// Azimuth and length of a horizontal vector.
+template <class T>
+struct Azimuth {
+  T cos, sin, length;
+};
+
+/// Only the zero vector has no azimuth, and 0 stands for it: a vector too short to square is scaled
+/// up first, for the map of a sampler is continuous along every azimuth up to the pole.
+template <class T>
+Azimuth<T> azimuth(T x, T y) {
+  constexpr T kTooShort = T(1e-15), kScale = T(1e18);
+  const T largest = std::max(std::abs(x), std::abs(y));
+  if (largest == T(0)) return {T(1), T(0), T(0)};
+  if (largest < kTooShort) {
+    const T length = std::hypot(x * kScale, y * kScale);
+    return {x * kScale / length, y * kScale / length, length / kScale};
+  }
+  const T length = std::sqrt(x * x + y * y);
+  return {x / length, y / length, length};
+}
+
+/// Steps 3 to 5: the normal whose stretched slope, in the frame of azimuth `phi`, is `slope`;
+/// (0, 0, 1) where the slope is no number.
+template <class T>
+Vec3<T> unstretched_normal(const HomogeneousSlope<T>& slope, const Azimuth<T>& phi,
+                           const Alpha<T>& alpha) {
+  // 3. rotate
+  const T x = phi.cos * slope.x - phi.sin * slope.y;
+  const T y = phi.sin * slope.x + phi.cos * slope.y;
+  // 4. unstretch, 5. compute the normal
+  return normalize_or_up(Vec3<T>{-alpha.x * x, -alpha.y * y, slope.w});
+}
+
+}  // namespace vndf
