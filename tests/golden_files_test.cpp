@@ -31,7 +31,7 @@ void check_golden(const std::string& name, const std::string& spec) {
   CHECK(golden.provenance.recipe.find(spec) != std::string::npos);
   const auto built = precompute::build_tables(
       *precompute::parse_distribution(spec),
-      {.rows = golden.tables->marginal.rows(), .columns = golden.tables->marginal.columns()});
+      {.layout = {golden.tables->marginal.rows(), golden.tables->marginal.columns()}});
   // Another processor's exp() may round the last bit of a value the other way.
   constexpr double kLastBit = 1.2e-7;
   CHECK(largest_difference(golden.tables->marginal, built.tables->marginal) <= kLastBit);
