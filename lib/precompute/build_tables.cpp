@@ -63,13 +63,13 @@ void require_size(const TableLayout& layout) {
                                 "x3 to 8192x8192");
 }
 
-/// Workers that report the part of the work from `begin` to `end`, both fractions of the whole.
-Workers reporting(const BuildOptions& options, double begin, double end) {
+/// Workers that report rows as a part of the work of both tables, the first `before` rows done.
+Workers reporting(const BuildOptions& options, std::size_t before) {
   Workers workers{options.threads};
   if (options.progress)
-    workers.progress = [&options, begin, end](std::size_t done) {
-      const double part = static_cast<double>(done) / static_cast<double>(options.layout.rows);
-      options.progress(begin + (end - begin) * part);
+    workers.progress = [&options, before](std::size_t done) {
+      const double rows = 2 * static_cast<double>(options.layout.rows);
+      options.progress(static_cast<double>(before + done) / rows);
     };
   return workers;
 }
@@ -139,9 +139,11 @@ BuiltTables build_tables(const SlopeDistribution& distribution, const BuildOptio
   const Workers workers{options.threads};
   const UnitSlopes slopes(distribution, workers);
   SlopeTables tables = tables_without_rows(slopes, workers);
-  set_plain_marginal(tables, slopes, options.layout, reporting(options, 0, 0.5));
+  set_plain_marginal(tables, slopes, options.layout, reporting(options, 0));
   set_conditional(tables, slopes, conditional_shape(slopes), 1, options.layout,
-                  reporting(options, 0.5, 1));
+                  reporting(options, options.layout.rows));
+
+  if (options.progress) options.progress(1);
 
   BuiltTables built{share(std::move(tables)), {}, slopes.mass(), slopes.quadrature_error()};
   built.certificate = measure_certificate(slopes, built.tables, workers);

@@ -38,8 +38,8 @@ PlacedTable fill_table(const RowSource& source, const TableLayout& layout, const
   PlacedTable placed;
   if (layout.rows > 1 && layout.blend == RowBlend::linear)
     placed.knots = place_rows(source, layout.rows, {workers.threads});
-  else if (source.end < 1)
-    placed.knots = {{0, 0}, {source.end, 1}};
+  else if (layout.rows > 1 && source.end_of_even_rows < 1)
+    placed.knots = {{0, 0}, {source.end_of_even_rows, 1}};
   const RowAxis<double> axis(placed.knots);
   std::vector<Probability<double>> u;
   for (std::size_t j = 0; j < layout.columns; ++j)

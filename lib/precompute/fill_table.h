@@ -21,6 +21,8 @@ struct RowSource {
   Probability<double> (*column_inverse)(double);
   /// Largest base coordinate that matters: rows run from 0 to it.
   double end = 1;
+  /// The same for equidistant rows, which cannot crowd where next to nothing lands; at most `end`.
+  double end_of_even_rows = 1;
   /// Base coordinates, in (0, end), at which the table has a kink.
   std::vector<double> breaks = {};
 };

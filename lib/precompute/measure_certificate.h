@@ -1,7 +1,8 @@
 // Measures tables against the exact distribution, as a renderer runs them: in single precision, or
-// in double where the tables are, at points off the grid. Rows and probabilities follow the golden ratio, which no grid is
-// commensurate with, and the hard places are added: between all of the first and last rows, the
-// middles and ends of the first and last columns, both tails to 1e-9, the pole and the horizon.
+// in double where the tables are, at points off the grid. Rows and probabilities follow the golden
+// ratio, which no grid is commensurate with, and the hard places are added: between all of the
+// first and last rows, the middles and ends of the first and last columns, both tails to 1e-9, the
+// pole and the horizon.
 #pragma once
 
 #include <memory>

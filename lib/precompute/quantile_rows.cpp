@@ -18,7 +18,8 @@ constexpr double kLargestSlope = 1e8;
 // faster than the fifth power of the column.
 constexpr double kSlowestDecay = 0.3;
 constexpr int kLargestOrder = 16;
-constexpr double kSmallestMass = 1e-10;
+// Where less of the partial moment is left, no sample lands; or too few to tell.
+constexpr double kNoMass = 1e-60, kSmallMass = 1e-10;
 constexpr double kFarthestStep = 1e-3;
 
 using Probabilities = std::vector<Probability<double>>;
@@ -52,14 +53,13 @@ std::vector<double> conditional_values(const UnitSlopes& slopes, const Condition
   return values;
 }
 
-/// asinh of the slope beyond which the partial moment, and with it the visible mass at any
-/// incidence, is too small to tell one conditional from the next; infinite for power tails, whose
-/// conditionals have a limit.
-double farthest_sampled(const UnitSlopes& slopes) {
+/// asinh of the slope beyond which no more than `mass` is left of the partial moment; infinite for
+/// power tails, whose conditionals have a limit.
+double farthest_sampled(const UnitSlopes& slopes, double mass) {
   if (std::isfinite(slopes.support())) return std::asinh(slopes.support());
   if (std::isfinite(slopes.tail_exponent())) return std::numeric_limits<double>::infinity();
   double a = 0;
-  while (slopes.m(a) > kSmallestMass) a += kFarthestStep;
+  while (slopes.m(a) > mass) a += kFarthestStep;
   return a;
 }
 
@@ -92,7 +92,11 @@ RowSource conditional_rows(const UnitSlopes& slopes, const ConditionalCoding& co
                      return conditional_values(slopes, coding, base, p);
                    },
                    conditional_column_inverse<double>};
-  source.end = conditional_base(bounded_from_asinh(farthest_sampled(slopes)), coding.unit);
+  const auto end = [&](double mass) {
+    return conditional_base(bounded_from_asinh(farthest_sampled(slopes, mass)), coding.unit);
+  };
+  source.end = end(kNoMass);
+  source.end_of_even_rows = end(kSmallMass);
   for (const double r : slopes.distribution().breaks()) {
     const double base = conditional_base(bounded_from_slope(r / slopes.mean_slope()), coding.unit);
     if (base < source.end) source.breaks.push_back(base);
