@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "vndf/select.h"
+
 namespace vndf {
 
 /// Value of the map at a node and its derivative per node spacing, both >= 0; the derivative is at
@@ -31,6 +33,7 @@ class MonotoneMap {
                          static_cast<T>(3 * rise - 2 * l.tangent - r.tangent),
                          static_cast<T>(l.tangent + r.tangent - 2 * rise)});
     }
+    count_ = static_cast<T>(pieces_.size());
   }
 
   bool identity() const { return pieces_.empty(); }
@@ -38,9 +41,9 @@ class MonotoneMap {
   /// The map at `s`; outside [0, 1] at the nearer end.
   T at(T s) const {
     if (identity()) return s;
-    const T scaled = s > T(0) ? std::min(s * count(), count()) : T(0);
-    const std::size_t k = std::min(static_cast<std::size_t>(scaled), pieces_.size() - 1);
-    return pieces_[k].at(scaled - static_cast<T>(k));
+    const T scaled = smaller(larger(s, T(0)) * count_, count_);
+    const int k = static_cast<int>(smaller(scaled, count_ - T(1)));
+    return pieces_[static_cast<std::size_t>(k)].at(scaled - static_cast<T>(k));
   }
 
   /// Inverse of at(), to a few roundings of 1; the nearer end for a value outside the map's.
@@ -49,7 +52,7 @@ class MonotoneMap {
     const auto above = std::upper_bound(pieces_.begin() + 1, pieces_.end(), value,
                                         [](T v, const Piece& p) { return v < p.c0; });
     const auto k = static_cast<std::size_t>(above - pieces_.begin()) - 1;
-    return (static_cast<T>(k) + pieces_[k].inverse(value)) / count();
+    return (static_cast<T>(k) + pieces_[k].inverse(value)) / count_;
   }
 
  private:
@@ -76,9 +79,8 @@ class MonotoneMap {
     }
   };
 
-  T count() const { return static_cast<T>(pieces_.size()); }
-
   std::vector<Piece> pieces_;
+  T count_ = T(0);
 };
 
 }  // namespace vndf

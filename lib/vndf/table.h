@@ -10,22 +10,24 @@
 #include <type_traits>
 #include <vector>
 
+#include "vndf/select.h"
+
 namespace vndf {
 
 /// A position between two nodes: `index` and the fraction towards index + 1.
 template <class T>
 struct Cell {
-  std::size_t index;
+  int index;
   T fraction;
 };
 
 /// The cell of `coordinate` in [0, 1] among `nodes` >= 2 equidistant nodes. Any other coordinate,
 /// not a number included, goes to the nearer end.
 template <class T>
-Cell<T> cell_of(T coordinate, std::size_t nodes) {
+Cell<T> cell_of(T coordinate, int nodes) {
   const T last = static_cast<T>(nodes - 1);
-  const T scaled = coordinate > T(0) ? std::min(coordinate * last, last) : T(0);
-  const std::size_t index = std::min(static_cast<std::size_t>(scaled), nodes - 2);
+  const T scaled = smaller(larger(coordinate, T(0)) * last, last);
+  const int index = smaller(static_cast<int>(scaled), nodes - 2);
   return {index, scaled - static_cast<T>(index)};
 }
 
@@ -37,10 +39,10 @@ using Four = std::array<T, 4>;
 /// central differences, limited to three times either neighbouring secant: that is enough for
 /// monotonicity, and inactive where the values are smooth on the scale of the nodes.
 template <class T>
-T monotone_cubic(const Four<T>& w, T fraction) {
+[[gnu::always_inline]] inline T monotone_cubic(const Four<T>& w, T fraction) {
   const T before = w[1] - w[0], secant = w[2] - w[1], after = w[3] - w[2];
   const auto tangent = [](T left, T right) {
-    return std::max(T(0), std::min(T(0.5) * (left + right), T(3) * std::min(left, right)));
+    return larger(smaller(T(0.5) * (left + right), T(3) * smaller(left, right)), T(0));
   };
   const T m1 = tangent(before, secant), m2 = tangent(secant, after);
   const T c2 = T(3) * secant - T(2) * m1 - m2, c3 = m1 + m2 - T(2) * secant;
@@ -90,26 +92,24 @@ class QuantileTable {
   /// The values of row `i`, `columns()` of them; in double precision only if in_double().
   template <class T = float>
   const T* row(std::size_t i) const {
-    return values<T>().data() + i * stride() + 1;
+    return values<T>().data() + i * (columns_ + 2) + 1;
   }
 
   /// The interpolated value at row and column coordinates in [0, 1]: in [0, 1], increasing in
   /// `column`, continuous in both.
   template <class T>
   T lookup(T row_coordinate, T column_coordinate) const {
-    const Cell<T> c = cell_of(column_coordinate, columns_);
+    const Cell<T> c = cell_of(column_coordinate, node_columns_);
     // Blending the four values first and limiting after costs one cubic instead of several, and is
     // monotone for the same reason: a linear blend of increasing values is increasing, and a cubic
     // one is where the rows are smooth, which the builder sees to.
     const Four<T> w = std::is_same_v<T, double> && in_double()
                           ? blended(double_.data() + c.index, row_coordinate)
                           : blended(single_.data() + c.index, row_coordinate);
-    return std::min(std::max(monotone_cubic(w, c.fraction), T(0)), T(1));
+    return smaller(larger(monotone_cubic(w, c.fraction), T(0)), T(1));
   }
 
  private:
-  std::size_t stride() const { return columns_ + 2; }
-
   template <class V>
   const std::vector<V>& values() const {
     if constexpr (std::is_same_v<V, float>)
@@ -127,7 +127,7 @@ class QuantileTable {
           "a quantile table needs 1 row, or 2 and 4 for a cubic blend, or more, of 3 values or "
           "more");
     std::vector<V> result;
-    result.reserve(rows_ * stride());
+    result.reserve(rows_ * (columns_ + 2));
     for (std::size_t i = 0; i < rows_; ++i) {
       const V* w = values.data() + i * columns_;
       const V* end = w + columns_ - 1;
@@ -141,39 +141,43 @@ class QuantileTable {
   /// The four values from `column` on, blended between rows.
   template <class V, class T>
   Four<T> blended(const V* column, T row_coordinate) const {
-    if (rows_ == 1) return four<T>(column);
-    const Cell<T> r = cell_of(row_coordinate, rows_);
+    if (node_rows_ == 1) return four<T>(column);
+    const Cell<T> r = cell_of(row_coordinate, node_rows_);
     return blend_ == RowBlend::cubic ? blended_cubic(column, r) : blended_linear(column, r);
   }
 
   template <class T, class V>
   static Four<T> four(const V* p) {
-    return {static_cast<T>(p[0]), static_cast<T>(p[1]), static_cast<T>(p[2]), static_cast<T>(p[3])};
+    Four<T> w;
+    for (std::size_t k = 0; k < 4; ++k) w[k] = static_cast<T>(p[k]);
+    return w;
   }
 
   template <class V, class T>
   Four<T> blended_linear(const V* column, const Cell<T>& r) const {
-    const V* lower = column + r.index * stride();
-    const Four<T> a = four<T>(lower), b = four<T>(lower + stride());
+    const V *a = column + r.index * stride_, *b = a + stride_;
     Four<T> w;
-    for (std::size_t k = 0; k < 4; ++k) w[k] = a[k] + r.fraction * (b[k] - a[k]);
+    for (std::size_t k = 0; k < 4; ++k)
+      w[k] = static_cast<T>(a[k]) + r.fraction * (static_cast<T>(b[k]) - static_cast<T>(a[k]));
     return w;
   }
 
   template <class V, class T>
   Four<T> blended_cubic(const V* column, const Cell<T>& r) const {
-    const std::size_t first = std::min(r.index > 0 ? r.index - 1 : 0, rows_ - 4);
+    const int first = smaller(larger(r.index - 1, 0), node_rows_ - 4);
     const Four<T> l = lagrange_weights(static_cast<T>(r.index - first) + r.fraction);
-    const V* p = column + first * stride();
-    const Four<T> a = four<T>(p), b = four<T>(p + stride()), c = four<T>(p + 2 * stride()),
-                  d = four<T>(p + 3 * stride());
+    const V *a = column + first * stride_, *b = a + stride_, *c = b + stride_, *d = c + stride_;
     Four<T> w;
     for (std::size_t k = 0; k < 4; ++k)
-      w[k] = (l[0] * a[k] + l[1] * b[k]) + (l[2] * c[k] + l[3] * d[k]);
+      w[k] = (l[0] * static_cast<T>(a[k]) + l[1] * static_cast<T>(b[k])) +
+             (l[2] * static_cast<T>(c[k]) + l[3] * static_cast<T>(d[k]));
     return w;
   }
 
   std::size_t rows_ = 0, columns_ = 0;
+  // The same as integers that convert to and from floats in one instruction.
+  int node_rows_ = static_cast<int>(rows_), node_columns_ = static_cast<int>(columns_);
+  std::ptrdiff_t stride_ = static_cast<std::ptrdiff_t>(columns_) + 2;
   RowBlend blend_ = RowBlend::linear;
   std::vector<float> single_;
   std::vector<double> double_;

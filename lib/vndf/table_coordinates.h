@@ -37,6 +37,8 @@
 #include <cmath>
 #include <limits>
 
+#include "vndf/select.h"
+
 namespace vndf {
 
 /// A slope as sigma in [0, 1], with its complement carried where it is known without cancellation.
@@ -136,7 +138,7 @@ struct Probability {
 /// Brings `u` into [0, 1]; not a number becomes 0.
 template <class T>
 Probability<T> probability(T u) {
-  const T inside = u > T(0) ? std::min(u, T(1)) : T(0);
+  const T inside = smaller(larger(u, T(0)), T(1));
   return {inside, T(1) - inside};
 }
 
@@ -166,8 +168,8 @@ struct FoldedProbability {
 
 template <class T>
 FoldedProbability<T> fold(const Probability<T>& u2) {
-  return {{std::abs(u2.u - u2.complement), T(2) * std::min(u2.u, u2.complement)},
-          u2.u < T(0.5) ? T(-1) : T(1)};
+  return {{std::abs(u2.u - u2.complement), T(2) * smaller(u2.u, u2.complement)},
+          std::copysign(T(1), u2.u - T(0.5))};
 }
 
 /// Column of the conditional table for the probability p of a smaller |y|.
