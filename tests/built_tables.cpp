@@ -28,7 +28,7 @@ const precompute::BuiltTables& large_tables(const std::string& distribution) {
 
 const precompute::BuiltTables& small_tables(const std::string& distribution) {
   static Cache cache;
-  return built(cache, distribution, {.rows = 64, .columns = 96});
+  return built(cache, distribution, {.layout = {.rows = 64, .columns = 96}});
 }
 
 }  // namespace vndf::test

@@ -63,8 +63,8 @@ TEST_CASE("the shipped tables keep the bounds of the README") {
 
 TEST_CASE("the error falls with the square of the rows") {
   const Ggx ggx;
-  const auto coarse = build_tables(ggx, {.rows = 32, .columns = 256}).certificate;
-  const auto fine = build_tables(ggx, {.rows = 128, .columns = 256}).certificate;
+  const auto coarse = build_tables(ggx, {.layout = {.rows = 32, .columns = 256}}).certificate;
+  const auto fine = build_tables(ggx, {.layout = {.rows = 128, .columns = 256}}).certificate;
   CHECK(fine.marginal.max_u_error < coarse.marginal.max_u_error / 10);
 }
 

@@ -114,10 +114,11 @@ TEST_CASE("conditional quantiles agree with the reference values within the cert
     for (const auto& r : list) {
       CAPTURE(named.spec, r.place, r.u);
       const double x = std::abs(r.place) / mu;  // the conditional is that of |x|
-      const ConditionalSlopes conditional(s.slopes, x);
-      const double support = s.slopes.support();
-      const double scale =
-          mu * (std::isinf(support) ? std::hypot(1, x) : std::sqrt((support - x) * (support + x)));
+      const SlopeTables& tables = *s.built.tables;
+      const ConditionalScale<double> scale_of{tables.conditional_constant,
+                                              tables.conditional_quadratic, tables.support};
+      const ConditionalSlopes conditional(s.slopes, x, scale_of);
+      const double scale = mu * scale_of.at({x, 1});
       const auto cdf = [&](double y) {
         const double tail = conditional.cdf(std::abs(y) / scale).complement / 2;
         return y < 0 ? tail : 1 - tail;

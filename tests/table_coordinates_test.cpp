@@ -68,19 +68,23 @@ TEST_CASE("base coordinates and their inverses undo each other") {
     CAPTURE(row);
     CHECK(marginal_base(marginal_base_inverse(row)) == Approx(row).margin(1e-15));
     const double margin = row < 0.01 ? kRowRounding : 1e-15;
-    CHECK(conditional_base(conditional_base_inverse(row)) == Approx(row).margin(margin));
+    for (const double unit : {1.0, 8.0}) {
+      const auto x = bounded_from_slope(conditional_base_inverse(row, unit));
+      CHECK(conditional_base(x, unit) == Approx(row).margin(margin));
+    }
   }
 }
 
 TEST_CASE("base coordinates run from normal incidence to grazing, and from slope 0 to infinity") {
   CHECK(marginal_base(bounded_cotangent(1.0, 0.0)) == 0);
   CHECK(marginal_base(bounded_cotangent(0.0, 1.0)) == 1);
-  CHECK(conditional_base(bounded_from_slope(0.0)) == 0);
-  CHECK(conditional_base(bounded_from_slope(std::numeric_limits<double>::infinity())) == 1);
+  CHECK(conditional_base(bounded_from_slope(0.0), 1.0) == 0);
+  CHECK(conditional_base(bounded_from_slope(std::numeric_limits<double>::infinity()), 1.0) == 1);
 }
 
 TEST_CASE("a conditional base coordinate serves both signs of the slope") {
-  CHECK(conditional_base(bounded_from_slope(2.5)) == conditional_base(bounded_from_slope(-2.5)));
+  CHECK(conditional_base(bounded_from_slope(2.5), 2.0) ==
+        conditional_base(bounded_from_slope(-2.5), 2.0));
 }
 
 TEST_CASE("column coordinates and their inverses undo each other") {

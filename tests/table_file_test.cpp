@@ -150,9 +150,42 @@ TEST_CASE("a map of the marginal values is kept, under coordinates of its own") 
     CHECK(loaded.tables->marginal_map[1].tangent == 1.0 / 3);
   }
   StoredTables stored = to_stored(file);
-  CHECK(stored.attributes["coordinates"] == Attribute(std::string("mapped-slope-1")));
+  CHECK(stored.attributes["coordinates"] == Attribute(std::string("adapted-slope-1")));
   stored.arrays.erase("marginal_map");
-  check_says(refusal_of(sealed(write_hdf5(stored))), {"marginal_map", "missing"});
+  check_says(refusal_of(sealed(write_hdf5(stored))), {"content_checksum"});
+}
+
+TEST_CASE("a conditional of one row, its scale and unit, double precision and blends are kept") {
+  const Folder folder;
+  SlopeTables tables = small_tables();
+  const std::vector<float> single = rows(5, 7);
+  tables.marginal = {5, 7, std::vector<double>(single.begin(), single.end()), RowBlend::cubic};
+  tables.conditional = {1, 3, rows(1, 3)};
+  tables.conditional_rows = {};
+  tables.conditional_quadratic = 0.3;
+  tables.conditional_unit = 8;
+  const TableFile file = small_file(tables);
+  for (const std::string& extension : kExtensions) {
+    save(folder / ("t" + extension), file);
+    const TableFile loaded = load(folder / ("t" + extension));
+    CHECK(to_stored(loaded) == to_stored(file));
+    CHECK(content_checksum(*loaded.tables) == content_checksum(*file.tables));
+    CHECK(loaded.tables->marginal.in_double());
+    CHECK(loaded.tables->marginal.blend() == RowBlend::cubic);
+    CHECK(loaded.tables->conditional.blend() == RowBlend::linear);
+    CHECK(loaded.tables->conditional.rows() == 1);
+    CHECK(loaded.tables->conditional_quadratic == 0.3);
+    CHECK(loaded.tables->conditional_unit == 8);
+  }
+}
+
+TEST_CASE("what only adapted coordinates may hold is refused in others") {
+  check_refused(
+      [](StoredTables& s) {
+        s.arrays["conditional"] = {{1, 3}, rows(1, 3)};
+        s.arrays["conditional_rows"] = {{2, 2}, std::vector<double>{0, 0, 1, 1}};
+      },
+      {"conditional", "1 x 3"});
 }
 
 TEST_CASE("a table file keeps empty texts and the longest") {

@@ -116,8 +116,41 @@ TEST_CASE("the lookup is continuous across rows and columns") {
 }
 
 TEST_CASE("a table of impossible size is refused") {
-  CHECK_THROWS_AS(QuantileTable(1, 3, {0, 0.5f, 1}), std::invalid_argument);
-  CHECK_THROWS_AS(QuantileTable(2, 2, {0, 1, 0, 1}), std::invalid_argument);
-  CHECK_THROWS_AS(QuantileTable(2, 3, {0, 0.5f, 1}), std::invalid_argument);
-  CHECK_THROWS_AS(QuantileTable(2, 3, {0, 0.5f, 1, 0, 0.5f, 1, 1}), std::invalid_argument);
+  const auto refused = [](std::size_t rows, std::size_t columns, std::size_t values,
+                          RowBlend blend = RowBlend::linear) {
+    CAPTURE(rows, columns, values);
+    CHECK_THROWS_AS(QuantileTable(rows, columns, std::vector<float>(values), blend),
+                    std::invalid_argument);
+  };
+  refused(0, 3, 0);
+  refused(2, 2, 4);
+  refused(2, 3, 3);
+  refused(2, 3, 7);
+  refused(3, 3, 9, RowBlend::cubic);
+}
+
+TEST_CASE("a cubic blend is exact for cubics from row to row, up to the outermost rows") {
+  std::vector<double> values;
+  const auto height = [](double r) { return 0.2 + 0.3 * r - 0.4 * r * r + 0.5 * r * r * r; };
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 5; ++j) values.push_back(height(i / 5.0) * j / 4.0);
+  const QuantileTable table(6, 5, values, RowBlend::cubic);
+  CHECK(table.in_double());
+  for (double r = 0; r <= 1; r += 0.01)
+    for (const double t : {0.0, 0.3, 0.5, 1.0})
+      CHECK(table.lookup(r, t) == Approx(height(r) * t).margin(1e-15));
+}
+
+TEST_CASE("a table in double precision serves both precisions") {
+  const std::vector<double> values{0, 1.0 / 3, 1, 0, 2.0 / 3, 1};
+  const QuantileTable table(2, 3, values);
+  CHECK(table.row<double>(0)[1] == 1.0 / 3);
+  CHECK(table.row(0)[1] == 1.0f / 3);
+  CHECK(table.lookup(0.0, 0.5) == 1.0 / 3);
+  CHECK(table.lookup(0.0f, 0.5f) == 1.0f / 3);
+}
+
+TEST_CASE("a table of one row does not depend on the row") {
+  const QuantileTable table(1, 3, std::vector<float>{0, 0.25f, 1});
+  for (const double row : {0.0, 0.4, 1.0}) CHECK(table.lookup(row, 0.5) == 0.25);
 }

@@ -51,7 +51,8 @@ std::vector<Tick> slope_ticks(const SlopeTables& t) {
   for (const double x : {0.0, 0.1, 0.5, 1.0, 2.0, 5.0})
     if (x < t.mean_slope * t.support)
       list.push_back(
-          {fmt::format("{}", x), rows.row(conditional_base(bounded_from_slope(x / t.mean_slope)))});
+          {fmt::format("{}", x),
+           rows.row(conditional_base(bounded_from_slope(x / t.mean_slope), t.conditional_unit))});
   if (t.conditional_rows.empty()) list.push_back({"∞", 1.0});
   return list;
 }
@@ -101,7 +102,8 @@ std::string script(const SlopeTables& t, const std::string& output, const std::s
       "set palette defined (0 '#440154', 0.25 '#3b528b', 0.5 '#21918c', 0.75 '#5ec962', 1 "
       "'#fde725')\n",
       terminal, output);
-  text += panel("$marginal", "Marginal table (" + t.distribution + "): σ(x) / σ(cot θ)", "u_1",
+  const std::string value = t.marginal_map.empty() ? "σ(x) / σ(cot θ)" : "s, map(s) = σ(x)";
+  text += panel("$marginal", "Marginal table (" + t.distribution + "): " + value, "u_1",
                 "θ (degrees)", u1_ticks(), theta_ticks(t));
   text += panel("$conditional", "Conditional table: 2 σ(y / scale) - 1", "u_2", "|x|", u2_ticks(),
                 slope_ticks(t));

@@ -12,8 +12,10 @@ void line(std::string& text, std::string_view what, const std::string& value) {
   text += fmt::format("  {:<24}{}\n", what, value);
 }
 
-std::string size_of(const QuantileTable& table) {
-  return fmt::format("{} x {}", table.rows(), table.columns());
+std::string size_of(const QuantileTable& table, std::string_view axes) {
+  const bool cubic = table.rows() > 1 && table.blend() == RowBlend::cubic;
+  return fmt::format("{} x {}", table.rows(), table.columns()) + fmt::format("   {}", axes) +
+         (cubic ? ", cubic rows" : "") + (table.in_double() ? ", double precision" : "");
 }
 
 std::string ratios(const TailRatios& r) {
@@ -43,9 +45,14 @@ std::string describe(const io::TableFile& file) {
   std::istringstream notes(file.provenance.notes);
   for (std::string note; std::getline(notes, note);) line(text, "", note);
   line(text, "mean slope E|X|", fmt::format("{:.10g}", t.mean_slope));
-  line(text, "marginal table", size_of(t.marginal) + "   (theta, u1)");
-  line(text, "conditional table", size_of(t.conditional) + "   (|x|, u2)");
-  text += "\nCertificate: errors in single precision, measured off the grid\n";
+  line(text, "marginal table", size_of(t.marginal, "(theta, u1)"));
+  line(
+      text, "conditional table",
+      size_of(t.conditional, t.conditional.rows() == 1 ? "(u2), the same for all x" : "(|x|, u2)"));
+  line(text, "sampling reads",
+       fmt::format("{:.1f} KiB", static_cast<double>(sampling_bytes(t)) / 1024));
+  text += fmt::format("\nCertificate: errors in {} precision, measured off the grid\n",
+                      t.marginal.in_double() ? "double" : "single");
   const Certificate& c = file.certificate;
   describe(text, c.marginal, "marginal", "theta (degrees)");
   describe(text, c.conditional, "conditional", "slope x");
@@ -69,6 +76,7 @@ nlohmann::ordered_json to_json(const io::TableFile& file) {
           {"mean_slope", t.mean_slope},
           {"marginal_size", {t.marginal.rows(), t.marginal.columns()}},
           {"conditional_size", {t.conditional.rows(), t.conditional.columns()}},
+          {"sampling_bytes", sampling_bytes(t)},
           {"certificate", certificate}};
 }
 

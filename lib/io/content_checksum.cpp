@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "io/crc64.h"
+#include "io/stored_tables.h"
 #include "io/table_format.h"
 
 namespace vndf::io {
@@ -30,17 +31,20 @@ void add_text(Crc64& crc, std::string_view text) {
   crc.add(text);
 }
 
-void add_row(Crc64& crc, const float* row, std::size_t columns) {
+template <class V>
+void add_row(Crc64& crc, const V* row, std::size_t columns) {
   if constexpr (std::endian::native == std::endian::little)
-    crc.add({reinterpret_cast<const char*>(row), columns * sizeof(float)});
+    crc.add({reinterpret_cast<const char*>(row), columns * sizeof(V)});
   else
-    std::for_each(row, row + columns, [&](float value) { add_number(crc, value); });
+    std::for_each(row, row + columns, [&](V value) { add_number(crc, value); });
 }
 
 void add_table(Crc64& crc, const QuantileTable& table) {
   add_count(crc, table.rows());
   add_count(crc, table.columns());
-  for (std::size_t i = 0; i < table.rows(); ++i) add_row(crc, table.row(i), table.columns());
+  for (std::size_t i = 0; i < table.rows(); ++i)
+    table.in_double() ? add_row(crc, table.row<double>(i), table.columns())
+                      : add_row(crc, table.row(i), table.columns());
 }
 
 void add_axis(Crc64& crc, const std::vector<RowKnot>& knots) {
@@ -57,6 +61,13 @@ void add_map(Crc64& crc, const std::vector<MonotoneNode>& nodes) {
     add_number(crc, node.value);
     add_number(crc, node.tangent);
   }
+}
+
+void add_adaptation(Crc64& crc, const SlopeTables& tables) {
+  for (const double number :
+       {tables.conditional_constant, tables.conditional_quadratic, tables.conditional_unit})
+    add_number(crc, number);
+  add_map(crc, tables.marginal_map);
 }
 
 void add_curve(Crc64& crc, const LogCurve<double>& curve) {
@@ -77,8 +88,9 @@ void add_curve(Crc64& crc, const LogCurve<double>& curve) {
 
 std::uint64_t content_checksum(const SlopeTables& tables) {
   Crc64 crc;
-  add_text(crc, tables.marginal_map.empty() ? kCoordinates : kMappedCoordinates);
-  add_text(crc, kInterpolation);
+  const bool adapted = is_adapted(tables);
+  add_text(crc, adapted ? kAdaptedCoordinates : kCoordinates);
+  add_text(crc, interpolation_of(tables));
   add_number(crc, tables.mean_slope);
   add_number(crc, tables.support);
   add_count(crc, static_cast<std::size_t>(tables.tail_order));
@@ -86,7 +98,7 @@ std::uint64_t content_checksum(const SlopeTables& tables) {
   add_table(crc, tables.conditional);
   add_axis(crc, tables.marginal_rows);
   add_axis(crc, tables.conditional_rows);
-  if (!tables.marginal_map.empty()) add_map(crc, tables.marginal_map);
+  if (adapted) add_adaptation(crc, tables);
   add_curve(crc, tables.log_ndf);
   add_curve(crc, tables.log_backfacing);
   return crc.value();

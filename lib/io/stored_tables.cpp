@@ -43,12 +43,19 @@ std::string text_of(const Shape& shape) {
 
 // To the file.
 
-Array stored(const QuantileTable& table) {
-  std::vector<float> values;
+template <class V>
+std::vector<V> values_of(const QuantileTable& table) {
+  std::vector<V> values;
   values.reserve(table.rows() * table.columns());
   for (std::size_t i = 0; i < table.rows(); ++i)
-    values.insert(values.end(), table.row(i), table.row(i) + table.columns());
-  return {{table.rows(), table.columns()}, std::move(values)};
+    values.insert(values.end(), table.row<V>(i), table.row<V>(i) + table.columns());
+  return values;
+}
+
+Array stored(const QuantileTable& table) {
+  const Shape shape{table.rows(), table.columns()};
+  return table.in_double() ? Array{shape, values_of<double>(table)}
+                           : Array{shape, values_of<float>(table)};
 }
 
 /// Without knots the axis is written as the identity that it is: a file has no empty arrays.
@@ -179,21 +186,40 @@ void check_identity(const StoredTables& stored) {
                       "', so another program wrote it",
                   "give a file written by vndf");
   check_version(stored);
-  check_named(stored, "coordinates", {kCoordinates, kMappedCoordinates});
-  check_named(stored, "interpolation", {kInterpolation});
+  check_named(stored, "coordinates", {kCoordinates, kAdaptedCoordinates});
+  const auto& names = kInterpolations;
+  check_named(stored, "interpolation", {names[0][0], names[0][1], names[1][0], names[1][1]});
+}
+
+bool adapted(const StoredTables& stored) {
+  return attribute<std::string>(stored, "coordinates") == kAdaptedCoordinates;
+}
+
+RowBlend blend_of(const StoredTables& stored, const std::string& table) {
+  const auto& name = attribute<std::string>(stored, "interpolation");
+  for (int marginal = 0; marginal < 2; ++marginal)
+    for (int conditional = 0; conditional < 2; ++conditional)
+      if (name == kInterpolations[marginal][conditional])
+        return static_cast<RowBlend>(table == "marginal" ? marginal : conditional);
+  return RowBlend::linear;
 }
 
 QuantileTable table_of(const StoredTables& stored, const std::string& name) {
   const Array& a = array(stored, name);
-  const auto in_range = [](std::size_t n, std::size_t least) {
-    return n >= least && n <= kMaxTableSide;
+  const RowBlend blend = blend_of(stored, name);
+  const std::size_t least = blend == RowBlend::cubic ? 4 : 2;
+  const auto in_range = [](std::size_t n, std::size_t at_least) {
+    return n >= at_least && n <= kMaxTableSide;
   };
-  if (a.shape.size() != 2 || !in_range(a.shape[0], 2) || !in_range(a.shape[1], 3))
+  const bool one_row = adapted(stored) && a.shape.size() == 2 && a.shape[0] == 1;
+  if (a.shape.size() != 2 || !(one_row || in_range(a.shape[0], least)) || !in_range(a.shape[1], 3))
     throw Refusal("the array '" + name + "' has the shape " + text_of(a.shape) +
-                      ", not rows x columns, at least 2 x 3 and at most " +
+                      ", not rows x columns, at least " + text_of({least, 3}) + " and at most " +
                       text_of({kMaxTableSide, kMaxTableSide}),
                   kRemake);
-  return {a.shape[0], a.shape[1], values_of<std::vector<float>>(a, name)};
+  if (adapted(stored) && std::holds_alternative<std::vector<double>>(a.values))
+    return {a.shape[0], a.shape[1], std::get<std::vector<double>>(a.values), blend};
+  return {a.shape[0], a.shape[1], values_of<std::vector<float>>(a, name), blend};
 }
 
 /// The values of an array of `columns` numbers a row, with its rows.
@@ -224,7 +250,7 @@ std::vector<RowKnot> axis_of(const StoredTables& stored, const std::string& name
 }
 
 std::vector<MonotoneNode> map_of(const StoredTables& stored, const std::string& name) {
-  if (attribute<std::string>(stored, "coordinates") != kMappedCoordinates) return {};
+  if (!adapted(stored) || stored.arrays.count(name) == 0) return {};
   const Rows rows = rows_of(stored, name, 2, 2);
   std::vector<MonotoneNode> nodes;
   for (std::size_t i = 0; i < rows.count; ++i)
@@ -264,10 +290,16 @@ LogCurve<double> curve_of(const StoredTables& stored, const std::string& name, b
 SlopeTables tables_of(const StoredTables& stored) {
   const double support = attribute<double>(stored, "support");
   const bool open = std::isinf(support);
+  const auto adaptation = [&](const char* name) {
+    return adapted(stored) ? attribute<double>(stored, name) : 1;
+  };
   return {.distribution = attribute<std::string>(stored, "distribution"),
           .mean_slope = attribute<double>(stored, "mean_slope"),
           .support = support,
           .tail_order = attribute<int>(stored, "tail_order"),
+          .conditional_constant = adaptation("conditional_constant"),
+          .conditional_quadratic = adaptation("conditional_quadratic"),
+          .conditional_unit = adaptation("conditional_unit"),
           .marginal = table_of(stored, "marginal"),
           .conditional = table_of(stored, "conditional"),
           .marginal_rows = axis_of(stored, "marginal_rows"),
@@ -302,6 +334,17 @@ Certificate certificate_of(const StoredTables& stored) {
 
 }  // namespace
 
+bool is_adapted(const SlopeTables& t) {
+  const bool plain_scale = t.conditional_constant == 1 && t.conditional_quadratic == 1;
+  return !t.marginal_map.empty() || !plain_scale || t.conditional_unit != 1 ||
+         t.conditional.rows() == 1 || t.marginal.in_double() || t.conditional.in_double();
+}
+
+const char* interpolation_of(const SlopeTables& tables) {
+  return kInterpolations[static_cast<int>(tables.marginal.blend())]
+                        [static_cast<int>(tables.conditional.blend())];
+}
+
 bool may_read(const Shape& shape) {
   if (shape.size() != 2 || shape[0] == 0 || shape[1] == 0) return false;
   const bool like_table = shape[0] <= kMaxTableSide && shape[1] <= kMaxTableSide;
@@ -313,21 +356,20 @@ StoredTables to_stored(const TableFile& file) {
   check_can_be_stored(file);
   const SlopeTables& tables = *file.tables;
   StoredTables result;
-  result.attributes = {
-      {"file_type", kFileType},
-      {"format_major", kFormatMajor},
-      {"format_minor", kFormatMinor},
-      {"program", file.provenance.program},
-      {"recipe", file.provenance.recipe},
-      {"input_checksum", file.provenance.input_checksum},
-      {"notes", file.provenance.notes},
-      {"distribution", tables.distribution},
-      {"coordinates", tables.marginal_map.empty() ? kCoordinates : kMappedCoordinates},
-      {"interpolation", kInterpolation},
-      {"mean_slope", tables.mean_slope},
-      {"support", tables.support},
-      {"tail_order", tables.tail_order},
-      {"content_checksum", hex_digits(content_checksum(tables))}};
+  result.attributes = {{"file_type", kFileType},
+                       {"format_major", kFormatMajor},
+                       {"format_minor", kFormatMinor},
+                       {"program", file.provenance.program},
+                       {"recipe", file.provenance.recipe},
+                       {"input_checksum", file.provenance.input_checksum},
+                       {"notes", file.provenance.notes},
+                       {"distribution", tables.distribution},
+                       {"coordinates", is_adapted(tables) ? kAdaptedCoordinates : kCoordinates},
+                       {"interpolation", interpolation_of(tables)},
+                       {"mean_slope", tables.mean_slope},
+                       {"support", tables.support},
+                       {"tail_order", tables.tail_order},
+                       {"content_checksum", hex_digits(content_checksum(tables))}};
   for_each_figure(file.certificate, [&](const std::string& name, double value) {
     result.attributes[certificate_name(name)] = value;
   });
@@ -339,6 +381,10 @@ StoredTables to_stored(const TableFile& file) {
                    {"log_ndf_segments", stored_segments(tables.log_ndf)},
                    {"log_backfacing", stored_nodes(tables.log_backfacing)},
                    {"log_backfacing_segments", stored_segments(tables.log_backfacing)}};
+  if (!is_adapted(tables)) return result;
+  result.attributes["conditional_constant"] = tables.conditional_constant;
+  result.attributes["conditional_quadratic"] = tables.conditional_quadratic;
+  result.attributes["conditional_unit"] = tables.conditional_unit;
   if (!tables.marginal_map.empty()) result.arrays["marginal_map"] = stored(tables.marginal_map);
   return result;
 }

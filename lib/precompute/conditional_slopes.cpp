@@ -27,10 +27,6 @@ constexpr unsigned kDepth = 2;
 constexpr double kSmallestDensity = 1e-250;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-double scale_at(const UnitSlopes& slopes, double x) {
-  return conditional_scale<double>({x, 1}, std::hypot(1, x), slopes.support());
-}
-
 /// Over [-1, 1]: Boost 1.74 compares the error of that interval with a tolerance for the given one.
 template <class F>
 Estimate integrate_panel(F f, double low, double high) {
@@ -47,11 +43,9 @@ bool ConditionalSlopes::reachable(const UnitSlopes& slopes, double x) {
   return x < slopes.support() && slopes.density(x).value > kSmallestDensity;
 }
 
-ConditionalSlopes::ConditionalSlopes(const UnitSlopes& slopes, double x)
-    : slopes_(slopes),
-      bounded_(std::isfinite(slopes.support())),
-      x_(x),
-      scale_(scale_at(slopes, x)) {
+ConditionalSlopes::ConditionalSlopes(const UnitSlopes& slopes, double x,
+                                     const ConditionalScale<double>& scale)
+    : slopes_(slopes), bounded_(std::isfinite(slopes.support())), x_(x), scale_(scale.at({x, 1})) {
   // The width over which the density falls off, in units of the scale, 1 where it does not fall; or
   // x, where a cusp of p22 at the centre is rounded off.
   const double natural = slopes.density(x).value / (2 * slopes.p22(x) * scale_);

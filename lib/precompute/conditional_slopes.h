@@ -3,9 +3,9 @@
 //
 //   P(|Y| < y | x) = int_0^y p22(sqrt(x^2 + s^2)) ds / int_0^inf p22(sqrt(x^2 + s^2)) ds
 //
-// y is in units of a scale that depends on x: sqrt(1 + x^2), in which the conditionals of all
-// Student-T slopes, GGX included, are one and the same; or, where no slope is larger than R,
-// sqrt(R^2 - x^2), the largest y. x is in units of the mean slope.
+// y is in units of a scale that depends on x: sqrt(A + B x^2), with the A and B in which the
+// conditionals of Gaussian or Student-T slopes are one and the same; or, where no slope is larger
+// than R, sqrt(R^2 - x^2), the largest y. x is in units of the mean slope.
 #pragma once
 
 #include <vector>
@@ -21,9 +21,9 @@ class ConditionalSlopes {
   /// sample ever lands and the conditional is not defined.
   static bool reachable(const UnitSlopes& slopes, double x);
 
-  /// Integrates the conditional density at a reachable slope `x` >= 0, panel by panel. `slopes`
-  /// must outlive this object.
-  ConditionalSlopes(const UnitSlopes& slopes, double x);
+  /// Integrates the conditional density at a reachable slope `x` >= 0, panel by panel, with y in
+  /// units of `scale`. `slopes` must outlive this object.
+  ConditionalSlopes(const UnitSlopes& slopes, double x, const ConditionalScale<double>& scale);
 
   /// P(|Y| < y) and its complement at y >= 0. Maximum error: 1e-13 for smooth densities, in both
   /// tails relative.

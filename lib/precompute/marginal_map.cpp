@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "precompute/bracketed_newton.h"
+#include "precompute/monotone_nodes.h"
 #include "precompute/visible_slopes.h"
 #include "vndf/table_coordinates.h"
 
@@ -96,17 +97,6 @@ std::vector<double> mirrored(const std::vector<double>& half) {
   return edges;
 }
 
-/// Tangents of the first and the last node, where the map's own may be 0 or infinite: those of the
-/// parabola through the node with the value and tangent of its neighbour.
-void set_end_tangents(std::vector<MonotoneNode>& nodes) {
-  const auto parabola = [](const MonotoneNode& end, const MonotoneNode& beside) {
-    return std::max(0.0, 2 * std::abs(beside.value - end.value) - beside.tangent);
-  };
-  const std::size_t last = nodes.size() - 1;
-  nodes[0].tangent = parabola(nodes[0], nodes[1]);
-  nodes[last].tangent = parabola(nodes[last], nodes[last - 1]);
-}
-
 }  // namespace
 
 std::vector<MonotoneNode> marginal_map(const UnitSlopes& slopes, int order, std::size_t nodes) {
@@ -128,6 +118,7 @@ std::vector<MonotoneNode> marginal_map(const UnitSlopes& slopes, int order, std:
   const double end = std::asinh(slopes.support());
   map.push_back({std::isinf(end) ? 1 : bounded_from_asinh(end / order).sigma, 0});
   set_end_tangents(map);
+  limit_tangents(map);
   return map;
 }
 

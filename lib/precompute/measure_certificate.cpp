@@ -49,21 +49,32 @@ Probability<double> conditional_u2(double t) {
 Probability<float> narrow(const Probability<double>& p) {
   return {static_cast<float>(p.u), static_cast<float>(p.complement)};
 }
+Probability<double> widen(const Probability<float>& p) {
+  return {p.u, p.complement};
+}
 
-/// One row of one table: sampled(u) is the exact CDF, with complement, of what the sampler returns
-/// for u in precision T.
+/// One row of one table: the exact CDF, with complement, of what the sampler returns for u, in
+/// single and in double precision.
 template <class FloatMap, class DoubleMap>
 struct Row {
   double place;  // what the certificate calls this row
   Probability<double> (*column_inverse)(double);
-  FloatMap sampled;
+  FloatMap sampled_single;
   DoubleMap sampled_double;
+  bool in_double;  // the precision that is judged
+
+  /// u as the judged precision holds it.
+  Probability<double> given(const Probability<double>& u) const {
+    return in_double ? u : widen(narrow(u));
+  }
+  Probability<double> sampled(const Probability<double>& u) const {
+    return in_double ? sampled_double(u) : sampled_single(narrow(u));
+  }
 };
 
 /// |CDF(x(u)) - u| without cancellation at either end; u is what the sampler was given.
-double u_error(const Probability<double>& cdf, const Probability<float>& u) {
-  return u.u < 0.5f ? std::abs(cdf.u - double{u.u})
-                    : std::abs(cdf.complement - double{u.complement});
+double u_error(const Probability<double>& cdf, const Probability<double>& u) {
+  return u.u < 0.5 ? std::abs(cdf.u - u.u) : std::abs(cdf.complement - u.complement);
 }
 
 /// Solves mass(e_hat) = e for increasing mass and returns e_hat / e: the sampled over the exact
@@ -126,7 +137,7 @@ template <class R>
 TableErrors judge_row(const R& row, std::size_t index, std::size_t columns) {
   TableErrors errors;
   const auto judge = [&](const Probability<double>& exact_u) {
-    const Probability<float> u = narrow(exact_u);
+    const Probability<double> u = row.given(exact_u);
     const double error = u_error(row.sampled(u), u);
     if (error > errors.max_u_error) {
       errors.max_u_error = error;
@@ -141,9 +152,8 @@ TableErrors judge_row(const R& row, std::size_t index, std::size_t columns) {
   for (std::size_t k = 0; k < kUniform; ++k)
     errors.mean_u_error += judge(from_tail(golden(k, shift))) / kUniform;
   for (const auto& u : hard_probabilities(row, columns, shift)) judge(u);
-  errors.lower = tail_ratios([&](double e) { return row.sampled(narrow(from_tail(e))).u; });
-  errors.upper =
-      tail_ratios([&](double e) { return row.sampled(narrow(from_complement(e))).complement; });
+  errors.lower = tail_ratios([&](double e) { return row.sampled(from_tail(e)).u; });
+  errors.upper = tail_ratios([&](double e) { return row.sampled(from_complement(e)).complement; });
   return errors;
 }
 
@@ -213,14 +223,18 @@ struct Judge {
       return cdf_of(sampler_double.sample_ordered_marginal(exact, u));
     };
     const double theta = std::atan2(w.s / slopes.mean_slope(), w.z) / kDegree;
-    const Row row{theta, marginal_column_inverse<double>, sampled, sampled_double};
+    const Row row{theta, marginal_column_inverse<double>, sampled, sampled_double,
+                  sampler.tables().marginal.in_double()};
     return judge_row(row, index, sampler.tables().marginal.columns());
   }
 
   TableErrors conditional_row(double x, std::size_t index) const {
     const auto bounded = bounded_from_sigma(static_cast<float>(bounded_from_slope(x).sigma));
     const BoundedSlope<double> exact = bounded_from_sigma<double>(bounded.sigma);
-    const ConditionalSlopes conditional(slopes, exact.slope());
+    const SlopeTables& tables = sampler.tables();
+    const ConditionalSlopes conditional(
+        slopes, exact.slope(),
+        {tables.conditional_constant, tables.conditional_quadratic, tables.support});
     const auto cdf_of = [&](auto sign, auto v) {
       const double y = conditional_value_inverse(double{v}).slope();
       const double half = conditional.cdf(y).complement / 2;
@@ -235,7 +249,7 @@ struct Judge {
       return cdf_of(folded.sign, sampler_double.sample_conditional(exact, folded.p));
     };
     const double place = exact.slope() * slopes.mean_slope();
-    const Row row{place, conditional_u2, sampled, sampled_double};
+    const Row row{place, conditional_u2, sampled, sampled_double, tables.conditional.in_double()};
     return judge_row(row, index, sampler.tables().conditional.columns());
   }
 
@@ -292,10 +306,11 @@ TableErrors judge_marginal(const Judge& judge, const Workers& workers) {
 }
 
 TableErrors judge_conditional(const Judge& judge, const Workers& workers) {
-  const RowAxis<double> rows(judge.sampler.tables().conditional_rows);
+  const SlopeTables& tables = judge.sampler.tables();
+  const RowAxis<double> rows(tables.conditional_rows);
   std::vector<double> reached;
-  for (const double row : off_grid_rows(judge.sampler.tables().conditional.rows())) {
-    const double x = conditional_base_inverse(rows.base(row)).slope();
+  for (const double row : off_grid_rows(tables.conditional.rows())) {
+    const double x = conditional_base_inverse(rows.base(row), tables.conditional_unit);
     if (judge.slopes.m(std::asinh(x)) > kSmallestTail &&
         ConditionalSlopes::reachable(judge.slopes, x))
       reached.push_back(x);
@@ -314,6 +329,20 @@ double largest(std::size_t count, const Workers& workers, F error) {
 }
 
 }  // namespace
+
+TableErrors measure_marginal(const UnitSlopes& slopes,
+                             const std::shared_ptr<const SlopeTables>& tables,
+                             const Workers& workers) {
+  return judge_marginal({slopes, TabulatedSampler<float>(tables), TabulatedSampler<double>(tables)},
+                        workers);
+}
+
+TableErrors measure_conditional(const UnitSlopes& slopes,
+                                const std::shared_ptr<const SlopeTables>& tables,
+                                const Workers& workers) {
+  return judge_conditional(
+      {slopes, TabulatedSampler<float>(tables), TabulatedSampler<double>(tables)}, workers);
+}
 
 Certificate measure_certificate(const UnitSlopes& slopes,
                                 const std::shared_ptr<const SlopeTables>& tables,

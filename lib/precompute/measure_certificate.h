@@ -1,7 +1,8 @@
-// Measures tables against the exact distribution, as a renderer runs them: in single precision, at
-// points off the grid. Rows and probabilities follow the golden ratio, which no grid is
-// commensurate with, and the hard places are added: between all of the first and last rows, the
-// middles and ends of the first and last columns, both tails to 1e-9, the pole and the horizon.
+// Measures tables against the exact distribution, as a renderer runs them: in single precision, or
+// in double where the tables are, at points off the grid. Rows and probabilities follow the golden
+// ratio, which no grid is commensurate with, and the hard places are added: between all of the
+// first and last rows, the middles and ends of the first and last columns, both tails to 1e-9, the
+// pole and the horizon.
 #pragma once
 
 #include <memory>
@@ -12,6 +13,14 @@
 #include "vndf/slope_tables.h"
 
 namespace vndf::precompute {
+
+/// The errors of one table of the two, whatever the other is.
+TableErrors measure_marginal(const UnitSlopes& slopes,
+                             const std::shared_ptr<const SlopeTables>& tables,
+                             const Workers& workers);
+TableErrors measure_conditional(const UnitSlopes& slopes,
+                                const std::shared_ptr<const SlopeTables>& tables,
+                                const Workers& workers);
 
 /// The certificate of `tables`, which were made from `slopes` or claim to be of the same law.
 Certificate measure_certificate(const UnitSlopes& slopes,

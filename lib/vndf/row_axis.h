@@ -25,22 +25,31 @@ class RowAxis {
       bases_.push_back(static_cast<T>(k.base));
       rows_.push_back(static_cast<T>(k.row));
     }
+    for (std::size_t i = 1; i < knots.size(); ++i)
+      rows_per_base_.push_back(
+          static_cast<T>((knots[i].row - knots[i - 1].row) / (knots[i].base - knots[i - 1].base)));
   }
 
   /// Row coordinate at a base coordinate.
-  T row(T base) const { return bases_.empty() ? base : interpolate(bases_, rows_, base); }
+  T row(T base) const {
+    if (bases_.empty()) return base;
+    const std::size_t i = segment(bases_, base);
+    return std::clamp(rows_[i] + (base - bases_[i]) * rows_per_base_[i], rows_[i], rows_[i + 1]);
+  }
   /// Inverse of row().
-  T base(T row) const { return bases_.empty() ? row : interpolate(rows_, bases_, row); }
-
- private:
-  static T interpolate(const std::vector<T>& from, const std::vector<T>& to, T x) {
-    const auto above = std::upper_bound(from.begin() + 1, from.end() - 1, x);
-    const auto i = static_cast<std::size_t>(above - from.begin());
-    const T fraction = std::clamp((x - from[i - 1]) / (from[i] - from[i - 1]), T(0), T(1));
-    return to[i - 1] + fraction * (to[i] - to[i - 1]);
+  T base(T row) const {
+    if (bases_.empty()) return row;
+    const std::size_t i = segment(rows_, row);
+    return std::clamp(bases_[i] + (row - rows_[i]) / rows_per_base_[i], bases_[i], bases_[i + 1]);
   }
 
-  std::vector<T> bases_, rows_;
+ private:
+  static std::size_t segment(const std::vector<T>& from, T x) {
+    const auto above = std::upper_bound(from.begin() + 1, from.end() - 1, x);
+    return static_cast<std::size_t>(above - from.begin()) - 1;
+  }
+
+  std::vector<T> bases_, rows_, rows_per_base_;
 };
 
 }  // namespace vndf

@@ -1,6 +1,7 @@
 // The rules that tables must keep before anything samples from them.
 #include "vndf/slope_tables.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -11,7 +12,8 @@ namespace {
 using Broken = std::optional<std::string>;
 
 /// The rule that value j of a row breaks, or nothing.
-const char* broken_rule(const float* w, std::size_t j) {
+template <class V>
+const char* broken_rule(const V* w, std::size_t j) {
   if (!std::isfinite(w[j])) return " is not a finite number";
   if (w[j] < 0 || w[j] > 1) return " is outside [0, 1]";
   if (j == 0 && w[j] != 0) return " is not 0, the value at the end of a row";
@@ -19,17 +21,20 @@ const char* broken_rule(const float* w, std::size_t j) {
   return nullptr;
 }
 
-Broken check_row(const float* w, std::size_t columns) {
+template <class V>
+Broken check_row(const V* w, std::size_t columns) {
   for (std::size_t j = 0; j < columns; ++j)
     if (const char* rule = broken_rule(w, j)) return "column " + std::to_string(j) + rule;
   return {};
 }
 
 Broken check_table(const QuantileTable& table, const std::string& name) {
-  if (table.rows() < 2 || table.columns() < 3) return name + " table: empty";
-  for (std::size_t i = 0; i < table.rows(); ++i)
-    if (const Broken b = check_row(table.row(i), table.columns()))
-      return name + " table, row " + std::to_string(i) + ": " + *b;
+  if (table.rows() < 1 || table.columns() < 3) return name + " table: empty";
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const Broken b = table.in_double() ? check_row(table.row<double>(i), table.columns())
+                                       : check_row(table.row(i), table.columns());
+    if (b) return name + " table, row " + std::to_string(i) + ": " + *b;
+  }
   return {};
 }
 
@@ -52,10 +57,15 @@ Broken check_map(const std::vector<MonotoneNode>& nodes, const std::string& name
     return name + " map: fewer than two nodes, or the first value is not 0";
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     const MonotoneNode& n = nodes[k];
-    const bool inside = n.value >= 0 && n.value <= 1 && n.tangent >= 0 && std::isfinite(n.tangent);
+    const bool inside = n.value >= 0 && n.value <= 1 && n.tangent >= 0;
     if (!inside || (k > 0 && n.value < nodes[k - 1].value))
       return name + " map, node " + std::to_string(k) +
-             ": not at or above the node before it in [0, 1], with a finite tangent >= 0";
+             ": not at or above the node before it in [0, 1], with a tangent >= 0";
+    const bool gentle = k == 0 || std::max(nodes[k - 1].tangent, n.tangent) <=
+                                      kSteepest * (n.value - nodes[k - 1].value);
+    if (!gentle)
+      return name + " map, node " + std::to_string(k) +
+             ": a tangent is more than 3 times the rise from the node before it";
   }
   return {};
 }
@@ -88,10 +98,23 @@ bool is_order(int n) {
 
 }  // namespace
 
+std::size_t sampling_bytes(const SlopeTables& tables) {
+  const auto values = [](const QuantileTable& t) { return t.rows() * (t.columns() + 2); };
+  const std::size_t knots = tables.marginal_rows.size() + tables.conditional_rows.size();
+  const std::size_t pieces = tables.marginal_map.empty() ? 0 : tables.marginal_map.size() - 1;
+  return sizeof(float) *
+         (values(tables.marginal) + values(tables.conditional) + 3 * knots + 4 * pieces);
+}
+
 std::optional<std::string> check(const SlopeTables& tables) {
   if (!(tables.mean_slope > 0) || !std::isfinite(tables.mean_slope))
     return "mean slope is not a finite number > 0";
   if (!(tables.support > 0)) return "support is not a number > 0";
+  if (!(tables.conditional_constant > 0) || !(tables.conditional_quadratic >= 0) ||
+      !std::isfinite(tables.conditional_constant + tables.conditional_quadratic))
+    return "scale of the conditional is not a number > 0 and one >= 0";
+  if (!(tables.conditional_unit > 0) || !std::isfinite(tables.conditional_unit))
+    return "unit of the conditional is not a finite number > 0";
   if (!is_order(tables.tail_order)) return "tail order is none of 1, 2, 4, 8, 16";
   if (const Broken b = check_table(tables.marginal, "marginal")) return b;
   if (const Broken b = check_table(tables.conditional, "conditional")) return b;

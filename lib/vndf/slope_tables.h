@@ -3,6 +3,7 @@
 // and two functions of one variable. Immutable once made, so threads share it freely.
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -25,6 +26,11 @@ struct SlopeTables {
   double support = std::numeric_limits<double>::infinity();
   /// Order n of the values of the marginal table: 1, or 2, 4, 8, 16 for very heavy tails.
   int tail_order = 1;
+  /// Constant and quadratic part of the scale of the conditional; without meaning where `support`
+  /// is finite.
+  double conditional_constant = 1, conditional_quadratic = 1;
+  /// Unit L of the base coordinate of the conditional. Finite, > 0.
+  double conditional_unit = 1;
   /// sigma_n(x) / sigma(c) over (theta, u1) and 2 sigma(y / scale) - 1 over (|x|, u2); the
   /// coordinates are in table_coordinates.h.
   QuantileTable marginal = {}, conditional = {};
@@ -39,6 +45,9 @@ struct SlopeTables {
   /// asinh(c).
   LogCurve<double> log_backfacing;
 };
+
+/// Bytes of tables, knots and map that sampling in single precision reads.
+std::size_t sampling_bytes(const SlopeTables& tables);
 
 /// The first rule that `tables` breaks, with the place, or nothing: sizes, finite values, rows that
 /// increase within [0, 1] from 0, knots and maps that increase, curves whose segments do.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "vndf/select.h"
 #include "vndf/vec.h"
 
 namespace vndf {
@@ -35,8 +36,9 @@ HomogeneousSlope<T> homogeneous_slope(T x, T y) {
 /// Whether `w` is a direction on or above the horizon and `alpha` a roughness.
 template <class T>
 bool valid(const Vec3<T>& w, const Alpha<T>& alpha) {
-  return w.z >= T(0) && std::isfinite(w.x) && std::isfinite(w.y) && alpha.x > T(0) &&
-         alpha.y > T(0) && std::isfinite(alpha.x) && std::isfinite(alpha.y);
+  // What is infinite or no number makes the sum so.
+  const T sum = std::abs(w.x) + std::abs(w.y) + alpha.x + alpha.y;
+  return w.z >= T(0) && alpha.x > T(0) && alpha.y > T(0) && sum <= std::numeric_limits<T>::max();
 }
 
 /// Azimuth and length of a horizontal vector.
@@ -50,14 +52,14 @@ struct Azimuth {
 template <class T>
 Azimuth<T> azimuth(T x, T y) {
   constexpr T kTooShort = T(1e-15), kScale = T(1e18);
-  const T largest = std::max(std::abs(x), std::abs(y));
-  if (largest == T(0)) return {T(1), T(0), T(0)};
+  const T largest = larger(std::abs(x), std::abs(y));
   if (largest < kTooShort) {
+    if (largest == T(0)) return {T(1), T(0), T(0)};
     const T length = std::hypot(x * kScale, y * kScale);
     return {x * kScale / length, y * kScale / length, length / kScale};
   }
-  const T length = std::sqrt(x * x + y * y);
-  return {x / length, y / length, length};
+  const T length = std::sqrt(x * x + y * y), scale = T(1) / length;
+  return {x * scale, y * scale, length};
 }
 
 /// Steps 3 to 5: the normal whose stretched slope, in the frame of azimuth `phi`, is `slope`;

@@ -19,14 +19,14 @@
 //                             below sigma(c), is put in its place where the product is larger); c
 //                             is at most the largest slope there is. Or, where that would err too
 //                             much, s with map(s) = sigma_n(x), a map made for the distribution
-//   conditional table  base   sqrt(|2 sigma(x) - 1|): 0 at x = 0, 1 at |x| = infinity
+//   conditional table  base   sqrt(|2 sigma(x / L) - 1|): 0 at x = 0, 1 at |x| = infinity
 //                      column t = b / (a + b), a = s^(1/2), b = (1 - s)^(1/2), s = q^(1/2),
 //                             q = 1 - |2 u2 - 1|: the half y >= 0, the other by symmetry
-//                      value  2 sigma(y / scale) - 1, scale = sqrt(1 + x^2), or sqrt(R^2 - x^2)
-//                      where
-//                             no slope is larger than R
+//                      value  2 sigma(y / scale) - 1, scale = sqrt(A + B x^2), or sqrt(R^2 - x^2)
+//                             where no slope is larger than R
 //   rows               a RowAxis maps the base coordinate to the row; it is the identity where rows
-//                      equidistant in it serve well
+//                      equidistant in it serve well. Where y / scale does not depend on x, as for
+//                      Beckmann and Student-T slopes, GGX among them, the conditional has one row
 //
 // The square roots of the base coordinates grade them where the quantile is not smooth (u ~
 // tan(theta) M at the pole, cusped densities at x = 0). The fourth roots of the column axes put 32
@@ -35,6 +35,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "vndf/select.h"
 
 namespace vndf {
 
@@ -111,17 +114,19 @@ BoundedSlope<T> marginal_base_inverse(T base) {
   return {T(1) - complement, complement};
 }
 
-/// Base coordinate of the conditional table for the slope `x`; the same for x and -x.
+/// Base coordinate of the conditional table for the slope `x`, in units of L = `unit`; the same for
+/// x and -x. With x = n / d, |2 sigma(x / L) - 1| = |n| / (L d + sqrt(L^2 d^2 + n^2)).
 template <class T>
-T conditional_base(const BoundedSlope<T>& x) {
-  return std::sqrt(std::abs(x.sigma - x.complement));
+T conditional_base(const BoundedSlope<T>& x, T unit) {
+  const T n = std::abs(x.numerator()), d = unit * x.denominator();
+  return std::sqrt(n / (d + std::sqrt(d * d + n * n)));
 }
 
-/// Inverse of conditional_base: the slope |x| >= 0.
+/// Inverse of conditional_base: the slope |x| >= 0, infinite at base 1.
 template <class T>
-BoundedSlope<T> conditional_base_inverse(T base) {
+T conditional_base_inverse(T base, T unit) {
   const T square = base * base;
-  return {(T(1) + square) / T(2), (T(1) - square) / T(2)};
+  return unit * T(2) * square / ((T(1) - square) * (T(1) + square));
 }
 
 /// A probability with its complement, so that neither end is lost to rounding.
@@ -133,7 +138,7 @@ struct Probability {
 /// Brings `u` into [0, 1]; not a number becomes 0.
 template <class T>
 Probability<T> probability(T u) {
-  const T inside = u > T(0) ? std::min(u, T(1)) : T(0);
+  const T inside = smaller(larger(u, T(0)), T(1));
   return {inside, T(1) - inside};
 }
 
@@ -163,8 +168,8 @@ struct FoldedProbability {
 
 template <class T>
 FoldedProbability<T> fold(const Probability<T>& u2) {
-  return {{std::abs(u2.u - u2.complement), T(2) * std::min(u2.u, u2.complement)},
-          u2.u < T(0.5) ? T(-1) : T(1)};
+  return {{std::abs(u2.u - u2.complement), T(2) * smaller(u2.u, u2.complement)},
+          std::copysign(T(1), u2.u - T(0.5))};
 }
 
 /// Column of the conditional table for the probability p of a smaller |y|.
@@ -204,13 +209,19 @@ SlopeFraction<T> conditional_value_inverse(T v) {
   return {T(2) * v, (T(1) - v) * (T(1) + v)};
 }
 
-/// Scale of the conditional at the slope x = numerator / denominator, times the denominator;
-/// `hypotenuse` is sqrt(numerator^2 + denominator^2), `support` the largest slope R.
+/// Scale of the conditional slope: sqrt(constant + quadratic x^2), or sqrt(R^2 - x^2) where the
+/// largest slope R = `support` is finite.
 template <class T>
-T conditional_scale(const SlopeFraction<T>& x, T hypotenuse, T support) {
-  if (std::isinf(support)) return hypotenuse;
-  const T edge = support * x.denominator;
-  return std::sqrt(std::max(T(0), (edge - x.numerator) * (edge + x.numerator)));
-}
+struct ConditionalScale {
+  T constant = T(1), quadratic = T(1), support = std::numeric_limits<T>::infinity();
+
+  /// The scale at the slope x, times x.denominator.
+  T at(const SlopeFraction<T>& x) const {
+    const T n = x.numerator, d = x.denominator;
+    if (std::isinf(support)) return std::sqrt(constant * (d * d) + quadratic * (n * n));
+    const T edge = support * d;
+    return std::sqrt(std::max(T(0), (edge - n) * (edge + n)));
+  }
+};
 
 }  // namespace vndf

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -33,6 +34,9 @@ class TabulatedSampler {
         bounded_support_(bounded_from_slope(support_)),
         marginal_rows_(tables_->marginal_rows),
         conditional_rows_(tables_->conditional_rows),
+        conditional_unit_(static_cast<T>(tables_->conditional_unit)),
+        conditional_scale_{static_cast<T>(tables_->conditional_constant),
+                           static_cast<T>(tables_->conditional_quadratic), support_},
         marginal_map_(tables_->marginal_map),
         log_ndf_(tables_->log_ndf),
         log_backfacing_(tables_->log_backfacing) {}
@@ -63,33 +67,37 @@ class TabulatedSampler {
     const FoldedProbability<T> folded = fold(probability(u2));
     const T v = sample_conditional(x, folded.p);
     const SlopeFraction<T> fx{x.numerator(), x.denominator()}, fy = conditional_value_inverse(v);
-    const T scale = folded.sign * conditional_scale(fx, x.hypotenuse(), support_);
+    const T scale = folded.sign * conditional_scale_.at(fx);
     return {fx.numerator * fy.denominator, scale * fy.numerator, fx.denominator * fy.denominator};
   }
 
   /// The marginal quantile at u1, in units of the mean slope; at most the slope `c`.
   BoundedSlope<T> sample_marginal(const BoundedSlope<T>& c,
                                   const Probability<T>& u1) const noexcept {
-    return from_order(sample_ordered_marginal(c, u1), tables_->tail_order);
+    const BoundedSlope<T> x = from_order(sample_ordered_marginal(c, u1), tables_->tail_order);
+    // The edge itself, not what its rounded sigma decodes to: that of a far edge may be infinite.
+    const BoundedSlope<T>& edge = farthest(c);
+    return x.sigma < edge.sigma ? x : edge;
   }
 
   /// The same at the order of the table, where it does not leave the range of T.
   BoundedSlope<T> sample_ordered_marginal(const BoundedSlope<T>& c,
                                           const Probability<T>& u1) const noexcept {
     const int order = tables_->tail_order;
-    const BoundedSlope<T>& farthest =
-        c.complement > bounded_support_.complement ? c : bounded_support_;
+    const BoundedSlope<T>& edge = farthest(c);
     const T row = marginal_rows_.row(marginal_base(c));
     const T w = tables_->marginal.lookup(row, marginal_column(u1));
-    const T sigma = marginal_map_.identity() ? farthest.sigma * w : marginal_map_.at(w);
-    return bounded_from_sigma(std::min(sigma, to_order(farthest, order).sigma));
+    const T sigma = marginal_map_.identity() ? edge.sigma * w : marginal_map_.at(w);
+    return bounded_from_sigma(std::min(sigma, to_order(edge, order).sigma));
   }
 
   /// The value v = 2 sigma - 1 of |y| / scale that a sampled |y| stays below with probability p:
   /// |y| = scale(x) conditional_value_inverse(v).
   T sample_conditional(const BoundedSlope<T>& x, const Probability<T>& p) const noexcept {
-    const T row = conditional_rows_.row(conditional_base(x));
-    return tables_->conditional.lookup(row, conditional_column(p));
+    const T column = conditional_column(p);
+    if (tables_->conditional.rows() == 1) return tables_->conditional.lookup(T(0), column);
+    return tables_->conditional.lookup(
+        conditional_rows_.row(conditional_base(x, conditional_unit_)), column);
   }
 
   /// Density of normals D(wm) per solid angle; 0 for a horizontal or back-facing normal.
@@ -99,7 +107,10 @@ class TabulatedSampler {
     const T hx = wm.x / a.x, hy = wm.y / a.y;
     const T horizontal = hx * hx + hy * hy;
     const T square = horizontal + wm.z * wm.z;
-    const T asinh_slope = std::log((std::sqrt(horizontal) + std::sqrt(square)) / wm.z);
+    // The quotient of a nearly horizontal normal may leave the range of T; D itself does not.
+    const T quotient =
+        std::min((std::sqrt(horizontal) + std::sqrt(square)) / wm.z, std::numeric_limits<T>::max());
+    const T asinh_slope = std::log(quotient);
     return log_ndf_.at(asinh_slope) / (a.x * a.y * square * square);
   }
 
@@ -126,6 +137,11 @@ class TabulatedSampler {
   }
 
  private:
+  /// The largest slope seen from cotangent `c`.
+  const BoundedSlope<T>& farthest(const BoundedSlope<T>& c) const {
+    return c.complement > bounded_support_.complement ? c : bounded_support_;
+  }
+
   /// Roughness in units in which the mean slope is 1.
   Alpha<T> normalized(const Alpha<T>& alpha) const {
     return {alpha.x * mean_slope_, alpha.y * mean_slope_};
@@ -144,6 +160,8 @@ class TabulatedSampler {
   T mean_slope_, support_;
   BoundedSlope<T> bounded_support_;
   RowAxis<T> marginal_rows_, conditional_rows_;
+  T conditional_unit_;
+  ConditionalScale<T> conditional_scale_;
   MonotoneMap<T> marginal_map_;
   LogCurve<T> log_ndf_, log_backfacing_;
 };

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 namespace vndf {
 
@@ -32,7 +33,7 @@ T dot(const Vec3<T>& a, const Vec3<T>& b) {
 template <class T>
 Vec3<T> normalize_or_up(const Vec3<T>& v) {
   const T square = dot(v, v);
-  if (!(square > T(0)) || !std::isfinite(square)) return {T(0), T(0), T(1)};
+  if (!(square > T(0) && square <= std::numeric_limits<T>::max())) return {T(0), T(0), T(1)};
   const T scale = T(1) / std::sqrt(square);
   return {v.x * scale, v.y * scale, v.z * scale};
 }
