@@ -45,7 +45,8 @@ class MonotoneMap {
     return pieces_[k].at(scaled - static_cast<T>(k));
   }
 
-  /// at() with its derivative by `s`: inside [0, 1] that of the piece, 0 only where the map is flat.
+  /// at() with its derivative by `s`: inside [0, 1] that of the piece, 0 only where the map is
+  /// flat.
   WithDerivative<T> at_with_derivative(T s) const {
     if (identity()) return {s, T(1)};
     const T scaled = s > T(0) ? std::min(s * count(), count()) : T(0);

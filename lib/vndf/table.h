@@ -127,8 +127,9 @@ class QuantileTable {
     return {held, w == held ? slope : T(0)};
   }
 
-  /// Column coordinate at which lookup() gives `value`, to a few roundings of 1 over the derivative;
-  /// the nearer end for a value outside the row, any one of the columns where the row is flat.
+  /// Column coordinate at which lookup() gives `value`, to a few roundings of 1 over the
+  /// derivative; the nearer end for a value outside the row, any one of the columns where the row
+  /// is flat.
   template <class T>
   T inverse(T row_coordinate, T value) const {
     std::size_t low = 0, high = columns_ - 1;  // `value` lies between these two nodes

@@ -222,7 +222,7 @@ template <class T>
 T conditional_column_rate(T t) {
   const T a = (T(1) - t) * (T(1) - t), b = t * t;
   const T sum = a + b;
-  return T(4) * (a / sum) * (t * (T(1) - t)) / (sum * sum);
+  return T(4) * a * (t * (T(1) - t)) / (sum * sum * sum);
 }
 
 /// The probability u2 that fold() folds into `folded`.

@@ -148,9 +148,10 @@ class TabulatedSampler {
 
   /// The normal of sample(), with the density of the interpolated map there: the reciprocal of its
   /// Jacobian. An integral of f estimated by the mean of f(wm) / pdf has no error of the tables, at
-  /// any size of them. pdf is >= 0 and finite. It is 0 at u1 or u2 = 0 or 1, the boundary of the
-  /// normals, and for an input outside its range; the largest number where the map is flat, that
-  /// is where many u give one normal, so that such u weigh nothing.
+  /// any size of them whose rows increase and reach the farthest slope. pdf is >= 0 and finite. It
+  /// is 0 at u1 or u2 = 0 or 1, the boundary of the normals, and for an input outside its range;
+  /// the largest number where the map is flat, that is where many u give one normal, so that such u
+  /// weigh nothing.
   SampledNormal<T> sample_with_density(const Vec3<T>& wi, const Alpha<T>& alpha, T u1,
                                        T u2) const noexcept;
 
@@ -159,8 +160,7 @@ class TabulatedSampler {
 
   /// The (u1, u2) for which sample() gives `wm`; one of them where the map is flat or `wm`
   /// horizontal; nothing where there is none, to kRangeSlack<T>, or an input is outside its range.
-  /// Maximum error of invert(sample(u)): kInverseError<T> wherever the map resolves u
-  /// (map_density.h).
+  /// Maximum error of invert(sample(u)): kInverseError<T> (map_density.h).
   std::optional<Vec2<T>> invert(const Vec3<T>& wi, const Vec3<T>& wm,
                                 const Alpha<T>& alpha) const noexcept;
 
