@@ -44,7 +44,7 @@ const precompute::BuiltTables& tiny_ggx() {
 
 /// Tables whose values are not through a map.
 const precompute::BuiltTables& plain_ggx() {
-  static const auto tables = built("ggx", {.rows = 256, .columns = 96});
+  static const auto tables = built("ggx", {.rows = 64, .columns = 64});
   return tables;
 }
 
@@ -298,16 +298,18 @@ TEST_CASE("the density at a given normal is that of sampling it, and integrates 
 }
 
 TEST_CASE("the density of the map of a good table is the analytic density") {
-  const TabulatedSampler<double> sampler(plain_ggx().tables);
+  const TabulatedSampler<double> sampler(precise_ggx().tables);
   const GgxCaps<double> exact;
   RandomInputs random(31);
-  constexpr double kDensityError = 0.02;  // measured: 0.7 %, where linear blends of rows err most
+  // Measured: 0.5 %. The derivative of a cubic errs by far more than its value, off by 6e-6 in u.
+  constexpr double kDensityError = 0.01;
+  double worst = 0;
   for (int k = 0; k < 5000; ++k) {
     const SamplerInput in = gentle(random, 0.01);
     const auto drawn = sampler.sample_with_density(in.wi, in.alpha, in.u1, in.u2);
-    CAPTURE(in.wi.x, in.wi.y, in.wi.z, in.alpha.x, in.alpha.y, in.u1, in.u2);
-    REQUIRE(drawn.pdf == Approx(exact.pdf(in.wi, drawn.wm, in.alpha)).epsilon(kDensityError));
+    worst = std::max(worst, std::abs(drawn.pdf / exact.pdf(in.wi, drawn.wm, in.alpha) - 1));
   }
+  CHECK(worst <= kDensityError);
 }
 
 TEST_CASE(
@@ -407,7 +409,7 @@ TEST_CASE("where the map is flat the density is the largest number, and the rest
   const TabulatedSampler<double> sampler(share(with_plateau(*plain_ggx().tables, 40, 44)));
   const GgxCaps<double> exact;
   const Vec3<double> wi{0.6, 0, 0.8};
-  const double u = marginal_column_inverse(42.0 / 95).u;
+  const double u = marginal_column_inverse(42.0 / 63).u;
   CHECK(sampler.sample_with_density(wi, {1, 1}, u, 0.3).pdf == std::numeric_limits<double>::max());
   const auto inside = sampler.invert(wi, sampler.sample(wi, {1, 1}, u, 0.3), {1, 1});
   REQUIRE(inside);
