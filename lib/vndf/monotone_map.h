@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "vndf/cubic_piece.h"
 #include "vndf/select.h"
 
 namespace vndf {
@@ -46,6 +47,17 @@ class MonotoneMap {
     return pieces_[static_cast<std::size_t>(k)].at(scaled - static_cast<T>(k));
   }
 
+  /// at() with its derivative by `s`: inside [0, 1] that of the piece, 0 only where the map is
+  /// flat.
+  WithDerivative<T> at_with_derivative(T s) const {
+    if (identity()) return {s, T(1)};
+    const T scaled = smaller(larger(s, T(0)) * count_, count_);
+    const int k = static_cast<int>(smaller(scaled, count_ - T(1)));
+    const Piece& piece = pieces_[static_cast<std::size_t>(k)];
+    const T f = scaled - static_cast<T>(k);
+    return {piece.at(f), count_ * piece.derivative(f)};
+  }
+
   /// Inverse of at(), to a few roundings of 1; the nearer end for a value outside the map's.
   T inverse(T value) const {
     if (identity()) return value;
@@ -56,28 +68,7 @@ class MonotoneMap {
   }
 
  private:
-  /// c0 + f (c1 + f (c2 + f c3)), increasing for f in [0, 1].
-  struct Piece {
-    T c0, c1, c2, c3;
-
-    T at(T f) const { return c0 + f * (c1 + f * (c2 + f * c3)); }
-
-    /// Newton's method within a bracket that each step narrows.
-    T inverse(T value) const {
-      T low = T(0), high = T(1), f = T(0.5);
-      if (!(value > c0)) return low;
-      if (!(value < at(high))) return high;
-      constexpr int kSteps = 64;
-      for (int i = 0; i < kSteps && low < f && f < high; ++i) {
-        const T excess = at(f) - value;
-        (excess > T(0) ? high : low) = f;
-        const T next = f - excess / (c1 + f * (T(2) * c2 + f * T(3) * c3));
-        if (next == f) break;
-        f = next > low && next < high ? next : (low + high) / T(2);
-      }
-      return f;
-    }
-  };
+  using Piece = CubicPiece<T>;
 
   std::vector<Piece> pieces_;
   T count_ = T(0);

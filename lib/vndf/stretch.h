@@ -62,16 +62,31 @@ Azimuth<T> azimuth(T x, T y) {
   return {x * scale, y * scale, length};
 }
 
-/// Steps 3 to 5: the normal whose stretched slope, in the frame of azimuth `phi`, is `slope`;
-/// (0, 0, 1) where the slope is no number.
+/// Steps 3 and 4: the normal whose stretched slope, in the frame of azimuth `phi`, is `slope`, of
+/// any length.
 template <class T>
-Vec3<T> unstretched_normal(const HomogeneousSlope<T>& slope, const Azimuth<T>& phi,
-                           const Alpha<T>& alpha) {
+Vec3<T> unstretched(const HomogeneousSlope<T>& slope, const Azimuth<T>& phi,
+                    const Alpha<T>& alpha) {
   // 3. rotate
   const T x = phi.cos * slope.x - phi.sin * slope.y;
   const T y = phi.sin * slope.x + phi.cos * slope.y;
-  // 4. unstretch, 5. compute the normal
-  return normalize_or_up(Vec3<T>{-alpha.x * x, -alpha.y * y, slope.w});
+  // 4. unstretch
+  return {-alpha.x * x, -alpha.y * y, slope.w};
+}
+
+/// Inverse of unstretched(): the stretched slope, in the frame of azimuth `phi`, of the normal `m`.
+template <class T>
+HomogeneousSlope<T> stretched(const Vec3<T>& m, const Azimuth<T>& phi, const Alpha<T>& alpha) {
+  const T x = -m.x / alpha.x, y = -m.y / alpha.y;
+  return {phi.cos * x + phi.sin * y, phi.cos * y - phi.sin * x, m.z};
+}
+
+/// Steps 3 to 5: the unit normal; (0, 0, 1) where the slope is no number.
+template <class T>
+Vec3<T> unstretched_normal(const HomogeneousSlope<T>& slope, const Azimuth<T>& phi,
+                           const Alpha<T>& alpha) {
+  // 5. compute the normal
+  return normalize_or_up(unstretched(slope, phi, alpha));
 }
 
 }  // namespace vndf

@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "vndf/cubic_piece.h"
 #include "vndf/select.h"
 
 namespace vndf {
@@ -39,14 +40,20 @@ using Four = std::array<T, 4>;
 /// central differences, limited to three times either neighbouring secant: that is enough for
 /// monotonicity, and inactive where the values are smooth on the scale of the nodes.
 template <class T>
-[[gnu::always_inline]] inline T monotone_cubic(const Four<T>& w, T fraction) {
+[[gnu::always_inline]] inline CubicPiece<T> monotone_piece(const Four<T>& w) {
   const T before = w[1] - w[0], secant = w[2] - w[1], after = w[3] - w[2];
   const auto tangent = [](T left, T right) {
     return larger(smaller(T(0.5) * (left + right), T(3) * smaller(left, right)), T(0));
   };
   const T m1 = tangent(before, secant), m2 = tangent(secant, after);
   const T c2 = T(3) * secant - T(2) * m1 - m2, c3 = m1 + m2 - T(2) * secant;
-  return w[1] + fraction * (m1 + fraction * (c2 + fraction * c3));
+  return {w[1], m1, c2, c3};
+}
+
+/// The same at a fraction of the way from the second value to the third.
+template <class T>
+T monotone_cubic(const Four<T>& w, T fraction) {
+  return monotone_piece(w).at(fraction);
 }
 
 /// Weights of Lagrange's cubic through nodes 0, 1, 2, 3 at `x`.
@@ -109,6 +116,32 @@ class QuantileTable {
     return smaller(larger(monotone_cubic(w, c.fraction), T(0)), T(1));
   }
 
+  /// lookup() with its derivative by the column coordinate, from the same values; the derivative is
+  /// 0 where the value is held at 0 or 1.
+  template <class T>
+  WithDerivative<T> lookup_with_derivative(T row_coordinate, T column_coordinate) const {
+    const Cell<T> c = cell_of(column_coordinate, node_columns_);
+    const CubicPiece<T> piece = monotone_piece(taps(c.index, row_coordinate));
+    const T w = piece.at(c.fraction);
+    const T held = smaller(larger(w, T(0)), T(1));
+    const T slope = static_cast<T>(columns_ - 1) * piece.derivative(c.fraction);
+    return {held, w == held ? slope : T(0)};
+  }
+
+  /// Column coordinate at which lookup() gives `value`, to a few roundings of 1 over the
+  /// derivative; the nearer end for a value outside the row, any one of the columns where the row
+  /// is flat.
+  template <class T>
+  T inverse(T row_coordinate, T value) const {
+    std::size_t low = 0, high = columns_ - 1;  // `value` lies between these two nodes
+    while (high - low > 1) {
+      const std::size_t middle = (low + high) / 2;
+      (taps(middle, row_coordinate)[1] > value ? high : low) = middle;
+    }
+    const T fraction = monotone_piece(taps(low, row_coordinate)).inverse(value);
+    return (static_cast<T>(low) + fraction) / static_cast<T>(columns_ - 1);
+  }
+
  private:
   template <class V>
   const std::vector<V>& values() const {
@@ -136,6 +169,14 @@ class QuantileTable {
       result.push_back(3 * end[0] - 3 * end[-1] + end[-2]);
     }
     return result;
+  }
+
+  /// The four values around cell `index` of the blended row, in the precision meant for T.
+  template <class T>
+  Four<T> taps(std::size_t index, T row_coordinate) const {
+    return std::is_same_v<T, double> && in_double()
+               ? blended(double_.data() + index, row_coordinate)
+               : blended(single_.data() + index, row_coordinate);
   }
 
   /// The four values from `column` on, blended between rows.

@@ -80,6 +80,13 @@ BoundedSlope<T> bounded_cotangent(T z, T s) {
   return {upper * scale, s * scale};
 }
 
+/// The bounded form of the slope x / w, w >= 0, not both zero: infinite at w = 0.
+template <class T>
+BoundedSlope<T> bounded_from_fraction(T x, T w) {
+  const BoundedSlope<T> b = bounded_cotangent(std::abs(x), w);
+  return x < T(0) ? BoundedSlope<T>{b.complement, b.sigma} : b;
+}
+
 /// sigma_n with its complement: tau becomes tau^(1/order). `order` is a power of two.
 template <class T>
 BoundedSlope<T> to_order(BoundedSlope<T> slope, int order) {
@@ -98,6 +105,20 @@ BoundedSlope<T> from_order(BoundedSlope<T> slope, int order) {
     slope = {a / (a + b), b / (a + b)};
   }
   return slope;
+}
+
+/// d sigma / d sigma_n of from_order(). One doubling takes a to a^2 / (a^2 + b^2), b = 1 - a, of
+/// which the derivative is 2 a b / (a^2 + b^2)^2.
+template <class T>
+T from_order_derivative(BoundedSlope<T> slope, int order) {
+  T derivative = T(1);
+  for (int n = order; n > 1; n /= 2) {
+    const T a = slope.sigma * slope.sigma, b = slope.complement * slope.complement;
+    const T sum = a + b;
+    derivative *= T(2) * slope.denominator() / (sum * sum);
+    slope = {a / sum, b / sum};
+  }
+  return derivative;
 }
 
 /// Base coordinate of the marginal table for the cotangent `c` of the (stretched) incident
@@ -158,6 +179,15 @@ Probability<T> marginal_column_inverse(T t) {
   return {a / (a + b), b / (a + b)};
 }
 
+/// du1 / dt of marginal_column_inverse(): u / (1 - u) = (t / (1 - t))^4 gives 4 u (1 - u) / (t (1 -
+/// t)), here without the 0 / 0 at the ends, where it is 0.
+template <class T>
+T marginal_column_rate(T t) {
+  const T product = t * (T(1) - t), a = t * t, b = (T(1) - t) * (T(1) - t);
+  const T sum = a * a + b * b;
+  return T(4) * (product * product * product) / (sum * sum);
+}
+
 /// The conditional slope is symmetric: |y| is below its quantile at |2 u2 - 1|, whose complement is
 /// q = 2 min(u2, 1 - u2), and has the sign of u2 - 1/2.
 template <class T>
@@ -187,6 +217,21 @@ Probability<T> conditional_column_inverse(T t) {
   const T a = (T(1) - t) * (T(1) - t), b = t * t;
   const T s = a / (a + b);
   return {b / (a + b) * (T(1) + s), s * s};
+}
+
+/// dp / dt of conditional_column_inverse(): 0 at both ends, as 4 t and 4 (1 - t)^3.
+template <class T>
+T conditional_column_rate(T t) {
+  const T a = (T(1) - t) * (T(1) - t), b = t * t;
+  const T sum = a + b;
+  return T(4) * a * (t * (T(1) - t)) / (sum * sum * sum);
+}
+
+/// The probability u2 that fold() folds into `folded`.
+template <class T>
+T unfold(const FoldedProbability<T>& folded) {
+  const T half = folded.p.complement / T(2);
+  return folded.sign < T(0) ? half : T(1) - half;
 }
 
 /// A slope >= 0 as value of the conditional table, v = 2 sigma - 1.

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "vndf/slope_tables.h"
@@ -20,6 +21,13 @@
 #include "vndf/vec.h"
 
 namespace vndf {
+
+/// A normal with the density per solid angle that it was drawn with.
+template <class T>
+struct SampledNormal {
+  Vec3<T> wm;
+  T pdf;
+};
 
 template <class T>
 class TabulatedSampler {
@@ -136,7 +144,56 @@ class TabulatedSampler {
     return cosine * d(wm, alpha) / (wi.z + backfacing_area(wi, alpha));
   }
 
+  // The map itself: its density and its inverse (map_density.h).
+
+  /// The normal of sample(), with the density of the interpolated map there: the reciprocal of its
+  /// Jacobian. An integral of f estimated by the mean of f(wm) / pdf has no error of the tables, at
+  /// any size of them whose rows increase and reach the farthest slope. pdf is >= 0 and finite. It
+  /// is 0 at u1 or u2 = 0 or 1, the boundary of the normals, and for an input outside its range;
+  /// the largest number where the map is flat, that is where many u give one normal, so that such u
+  /// weigh nothing.
+  SampledNormal<T> sample_with_density(const Vec3<T>& wi, const Alpha<T>& alpha, T u1,
+                                       T u2) const noexcept;
+
+  /// The same density at any normal `wm`; 0 for one that sample() does not give.
+  T map_density(const Vec3<T>& wi, const Vec3<T>& wm, const Alpha<T>& alpha) const noexcept;
+
+  /// The (u1, u2) for which sample() gives `wm`; one of them where the map is flat or `wm`
+  /// horizontal; nothing where there is none, to kRangeSlack<T>, or an input is outside its range.
+  /// Maximum error of invert(sample(u)): kInverseError<T> (map_density.h).
+  std::optional<Vec2<T>> invert(const Vec3<T>& wi, const Vec3<T>& wm,
+                                const Alpha<T>& alpha) const noexcept;
+
  private:
+  /// Columns of the two tables, and the sign of slope_y: what u1 and u2 stand for.
+  struct Columns {
+    T marginal, conditional, sign;
+  };
+  /// The stretched configuration: incident direction and roughness.
+  struct Stretched {
+    Alpha<T> alpha;
+    Azimuth<T> phi;
+    BoundedSlope<T> c;
+  };
+  /// The two steps of the map with their differentials along the column.
+  struct MarginalStep {
+    BoundedSlope<T> x;
+    T du1, dsigma;
+  };
+  struct ConditionalStep {
+    T v, du2, dv;
+  };
+
+  Stretched stretch(const Vec3<T>& wi, const Alpha<T>& alpha) const;
+  MarginalStep marginal_step(const BoundedSlope<T>& c, T column) const;
+  ConditionalStep conditional_step(T row, T column) const;
+  T marginal_row(const BoundedSlope<T>& c) const;
+  T conditional_row(const BoundedSlope<T>& x) const;
+  T marginal_value(const BoundedSlope<T>& x, const BoundedSlope<T>& c) const;
+  SampledNormal<T> sample_at(const Stretched& s, const Columns& columns) const;
+  std::optional<Columns> columns_of(const Stretched& s, const Vec3<T>& wm) const;
+  bool in_range(const Stretched& s, const Columns& columns, const BoundedSlope<T>& x, T v) const;
+
   /// The largest slope seen from cotangent `c`.
   const BoundedSlope<T>& farthest(const BoundedSlope<T>& c) const {
     return c.complement > bounded_support_.complement ? c : bounded_support_;
@@ -167,3 +224,5 @@ class TabulatedSampler {
 };
 
 }  // namespace vndf
+
+#include "vndf/map_density.h"
