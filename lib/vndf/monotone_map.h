@@ -52,6 +52,11 @@ class MonotoneMap {
     return (static_cast<T>(k) + pieces_[k].inverse(value)) / count();
   }
 
+  /// Cubics between nodes; none for the identity.
+  std::size_t pieces() const { return pieces_.size(); }
+  /// Coefficients c0, c1, c2, c3 of each piece in its fraction f, four a piece.
+  const T* coefficients() const { return identity() ? nullptr : &pieces_.front().c0; }
+
  private:
   /// c0 + f (c1 + f (c2 + f c3)), increasing for f in [0, 1].
   struct Piece {
@@ -75,6 +80,8 @@ class MonotoneMap {
       return f;
     }
   };
+
+  static_assert(sizeof(Piece) == 4 * sizeof(T), "coefficients() reads pieces as one array");
 
   T count() const { return static_cast<T>(pieces_.size()); }
 

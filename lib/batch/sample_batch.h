@@ -1,0 +1,46 @@
+// Many visible normals at once, eight or sixteen side by side: Algorithm 4 of Heitz and d'Eon 2014
+// on structures of arrays, with the widest vectors of the processor, chosen when the program runs
+// (Google Highway). Every sample is that of TabulatedSampler<float>::sample(), but for rounding.
+#pragma once
+
+#include <span>
+
+#include "vndf/incident_sampler.h"
+#include "vndf/tabulated_sampler.h"
+#include "vndf/vec.h"
+
+namespace vndf {
+
+/// Unit vectors, one component a span; all of one size.
+struct DirectionSpans {
+  std::span<const float> x, y, z;
+};
+struct AlphaSpans {
+  std::span<const float> x, y;
+};
+struct NormalSpans {
+  std::span<float> x, y, z;
+};
+
+/// A batch differs from TabulatedSampler<float>::sample() by no more than a change of u1 and u2 by
+/// kBatchUError and of the slope at unit roughness and unit mean slope by kBatchSlopeError of
+/// max(1, |slope|) would make; inputs outside their range give the same (0, 0, 1). Targets differ
+/// among themselves by as much, for some of them fuse multiplications and additions.
+inline constexpr double kBatchUError = 3e-7, kBatchSlopeError = 2e-6;
+
+/// Draws wm[i] for wi[i], alpha[i], u1[i], u2[i]. Any length; spans need no alignment, and `wm` may
+/// not overlap the others. Throws std::invalid_argument, naming them, where spans differ in size.
+void sample_batch(const TabulatedSampler<float>& sampler, const DirectionSpans& wi,
+                  const AlphaSpans& alpha, std::span<const float> u1, std::span<const float> u2,
+                  const NormalSpans& wm);
+
+/// The same with one roughness for all.
+void sample_batch(const TabulatedSampler<float>& sampler, const DirectionSpans& wi,
+                  const Alpha<float>& alpha, std::span<const float> u1, std::span<const float> u2,
+                  const NormalSpans& wm);
+
+/// The same with one incident direction and roughness for all, whose setup is already done.
+void sample_batch(const IncidentSampler<float>& incident, std::span<const float> u1,
+                  std::span<const float> u2, const NormalSpans& wm);
+
+}  // namespace vndf
