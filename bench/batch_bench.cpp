@@ -49,10 +49,6 @@ struct Workload {
   DirectionSpans wi() const { return {wi_x, wi_y, wi_z}; }
   AlphaSpans alpha() const { return {alpha_x, alpha_y}; }
   NormalSpans wm() { return {wm_x, wm_y, wm_z}; }
-  NormalSpans wm(std::size_t begin, std::size_t size) {
-    return {std::span(wm_x).subspan(begin, size), std::span(wm_y).subspan(begin, size),
-            std::span(wm_z).subspan(begin, size)};
-  }
   Vec3<float> wi(std::size_t i) const { return {wi_x[i], wi_y[i], wi_z[i]}; }
   Alpha<float> alpha(std::size_t i) const { return {alpha_x[i], alpha_y[i]}; }
   void set(std::size_t i, const Vec3<float>& m) {
@@ -80,12 +76,12 @@ void scalar(Workload& w, const auto& sampler) {
     w.set(i, sampler.sample(w.wi(i), w.alpha(i), w.u1[i], w.u2[i]));
 }
 
-/// A new direction every `each` samples.
-void by_direction(Workload& w, const TabulatedSampler<float>& sampler, std::size_t each) {
-  for (std::size_t begin = 0; begin < kSamples; begin += each)
-    sample_batch(IncidentSampler<float>(sampler, w.wi(begin), w.alpha(begin)),
-                 std::span<const float>(w.u1).subspan(begin, each),
-                 std::span<const float>(w.u2).subspan(begin, each), w.wm(begin, each));
+/// The first directions, each for `per_direction` samples.
+void by_direction(Workload& w, const TabulatedSampler<float>& sampler, std::size_t per_direction) {
+  const std::size_t n = kSamples / per_direction;
+  const auto first = [n](const std::vector<float>& v) { return std::span(v).first(n); };
+  sample_batch(sampler, {first(w.wi_x), first(w.wi_y), first(w.wi_z)},
+               AlphaSpans{first(w.alpha_x), first(w.alpha_y)}, w.u1, w.u2, w.wm(), per_direction);
 }
 
 void scalar_by_direction(Workload& w, const TabulatedSampler<float>& sampler) {
@@ -98,27 +94,26 @@ void scalar_by_direction(Workload& w, const TabulatedSampler<float>& sampler) {
 
 void add_tables(std::vector<Timed>& all, Workload& w, const TabulatedSampler<float>& sampler) {
   const SlopeTables& t = sampler.tables();
-  const std::string name = t.distribution + ", " +
-                           std::to_string((sampling_bytes(t) + 512) / 1024) + " KiB: ";
+  const std::string name =
+      t.distribution + ", " + std::to_string((sampling_bytes(t) + 512) / 1024) + " KiB: ";
   all.push_back({name + "scalar", [&] { scalar(w, sampler); }});
   all.push_back({name + "scalar, 16 a direction", [&] { scalar_by_direction(w, sampler); }});
-  all.push_back({name + "batch", [&] {
-                   sample_batch(sampler, w.wi(), w.alpha(), w.u1, w.u2, w.wm());
-                 }});
   all.push_back(
-      {name + "batch, 16 a direction", [&] { by_direction(w, sampler, kPerDirection); }});
-  all.push_back({name + "batch, one direction", [&] { by_direction(w, sampler, kSamples); }});
+      {name + "batch", [&] { sample_batch(sampler, w.wi(), w.alpha(), w.u1, w.u2, w.wm()); }});
+  all.push_back({name + "batch, 16 a direction", [&] { by_direction(w, sampler, kPerDirection); }});
+  all.push_back({name + "batch, one direction", [&] {
+                   sample_batch(IncidentSampler<float>(sampler, w.wi(0), w.alpha(0)), w.u1, w.u2,
+                                w.wm());
+                 }});
 }
 
 void measure(const std::vector<TabulatedSampler<float>>& samplers) {
   Workload w;
   const GgxCaps<float> caps;
   std::vector<Timed> all;
-  all.push_back({"caps: batch",
-                 [&] { bench::caps_batch(w.wi(), w.alpha(), w.u1, w.u2, w.wm()); }});
-  all.push_back({"caps: batch, one direction", [&] {
-                   bench::caps_batch(w.wi(0), w.alpha(0), w.u1, w.u2, w.wm());
-                 }});
+  all.push_back({"caps: batch", [&] { bench::caps_batch(w.wi(), w.alpha(), w.u1, w.u2, w.wm()); }});
+  all.push_back({"caps: batch, one direction",
+                 [&] { bench::caps_batch(w.wi(0), w.alpha(0), w.u1, w.u2, w.wm()); }});
   all.push_back({"caps: scalar", [&] { scalar(w, caps); }});
   for (const auto& sampler : samplers) add_tables(all, w, sampler);
   for (int round = 0; round < kRounds; ++round)

@@ -9,6 +9,7 @@
 #define HWY_TARGET_INCLUDE "caps_batch.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
+
 #include <hwy/contrib/math/math-inl.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -17,11 +18,13 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using Floats = hn::CappedTag<float, batch::kBlock>;
+using Floats = hn::CappedTag<float, batch::kMaxLanes>;
 using V = hn::Vec<Floats>;
 constexpr Floats d;
 
-V set(float x) { return hn::Set(d, x); }
+V set(float x) {
+  return hn::Set(d, x);
+}
 
 /// 1 / |(x, y, z)|.
 V inverse_length(V x, V y, V z) {
@@ -91,8 +94,8 @@ void caps_batch(const DirectionSpans& wi, const AlphaSpans& alpha, std::span<con
                 std::span<const float> u2, const NormalSpans& wm) {
   using batch::Input;
   batch::Samples samples = samples_of(u1, u2, wm);
-  batch::DirectionInputs inputs{Input(wi.x), Input(wi.y), Input(wi.z), Input(alpha.x),
-                                Input(alpha.y)};
+  batch::DirectionInputs inputs{
+      samples.size, 1, Input(wi.x), Input(wi.y), Input(wi.z), Input(alpha.x), Input(alpha.y)};
   HWY_DYNAMIC_DISPATCH(caps_directions)(inputs, samples);
 }
 
@@ -100,8 +103,8 @@ void caps_batch(const Vec3<float>& wi, const Alpha<float>& alpha, std::span<cons
                 std::span<const float> u2, const NormalSpans& wm) {
   using batch::Input;
   batch::Samples samples = samples_of(u1, u2, wm);
-  batch::DirectionInputs inputs{Input(wi.x), Input(wi.y), Input(wi.z), Input(alpha.x),
-                                Input(alpha.y)};
+  batch::DirectionInputs inputs{
+      samples.size, 1, Input(wi.x), Input(wi.y), Input(wi.z), Input(alpha.x), Input(alpha.y)};
   HWY_DYNAMIC_DISPATCH(caps_directions)(inputs, samples);
 }
 

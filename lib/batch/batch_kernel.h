@@ -8,8 +8,9 @@
 
 namespace vndf::batch {
 
-/// The inputs for many incident directions.
+/// Incident directions and roughness, each for `per_direction` samples side by side.
 struct DirectionInputs {
+  std::size_t size, per_direction;
   Input x, y, z, alpha_x, alpha_y;
 };
 

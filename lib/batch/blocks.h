@@ -12,11 +12,13 @@ namespace vndf::batch {
 /// Samples in a block: a multiple of the lanes of any target, few enough that a dozen arrays and
 /// the rows in use stay in the first-level cache.
 inline constexpr std::size_t kBlock = 64;
+/// Most lanes that a kernel uses.
+inline constexpr std::size_t kMaxLanes = 16;
 
-/// One number for each sample of a block.
+/// One number for each sample of a block, with room for a vector that begins at the last of them.
 template <class T>
 struct alignas(64) Lanes {
-  std::array<T, kBlock> at{};
+  std::array<T, kBlock + kMaxLanes> at;
 
   T* data() { return at.data(); }
   const T* data() const { return at.data(); }
@@ -31,7 +33,8 @@ class Input {
   /// The numbers of the block that begins at sample `begin`. A last block that is not full ends
   /// with zeros.
   const float* block(std::size_t begin) {
-    if (!each_ || values_.size() - begin >= kBlock) return each_ ? &values_[begin] : block_.data();
+    if (!each_) return block_.data();
+    if (values_.size() - begin >= kBlock) return &values_[begin];
     block_.at.fill(0);
     std::copy(values_.begin() + static_cast<std::ptrdiff_t>(begin), values_.end(),
               block_.at.begin());
@@ -52,7 +55,7 @@ class Output {
   float* block(std::size_t begin) {
     return values_.size() - begin >= kBlock ? &values_[begin] : block_.data();
   }
-  /// Called when the block is full.
+  /// Called when the block is done.
   void finish(std::size_t begin) {
     const std::size_t left = values_.size() - begin;
     if (left < kBlock) std::copy_n(block_.data(), left, &values_[begin]);

@@ -3,6 +3,7 @@
 // (Google Highway). Every sample is that of TabulatedSampler<float>::sample(), but for rounding.
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "vndf/incident_sampler.h"
@@ -28,16 +29,18 @@ struct NormalSpans {
 /// among themselves by as much, for some of them fuse multiplications and additions.
 inline constexpr double kBatchUError = 3e-7, kBatchSlopeError = 2e-6;
 
-/// Draws wm[i] for wi[i], alpha[i], u1[i], u2[i]. Any length; spans need no alignment, and `wm` may
-/// not overlap the others. Throws std::invalid_argument, naming them, where spans differ in size.
+/// Draws wm[i] for wi[k], alpha[k], u1[i], u2[i], k = i / per_direction: of each direction
+/// `per_direction` samples side by side, whose setup is done once. Any length; spans need no
+/// alignment, and `wm` may not overlap the others. Throws std::invalid_argument, naming them, where
+/// u1, u2 and wm differ in size or are not `per_direction` times as long as wi and alpha.
 void sample_batch(const TabulatedSampler<float>& sampler, const DirectionSpans& wi,
                   const AlphaSpans& alpha, std::span<const float> u1, std::span<const float> u2,
-                  const NormalSpans& wm);
+                  const NormalSpans& wm, std::size_t per_direction = 1);
 
 /// The same with one roughness for all.
 void sample_batch(const TabulatedSampler<float>& sampler, const DirectionSpans& wi,
                   const Alpha<float>& alpha, std::span<const float> u1, std::span<const float> u2,
-                  const NormalSpans& wm);
+                  const NormalSpans& wm, std::size_t per_direction = 1);
 
 /// The same with one incident direction and roughness for all, whose setup is already done.
 void sample_batch(const IncidentSampler<float>& incident, std::span<const float> u1,

@@ -68,8 +68,8 @@ class IncidentSampler {
     const BoundedSlope<T>& support = sampler.bounded_support();
     incident_.edge = c.complement > support.complement ? c : support;
     incident_.ordered_edge = to_order(incident_.edge, sampler.tables().tail_order);
-    incident_.rows = weighted_rows(sampler.tables().marginal,
-                                   sampler.marginal_rows().row(marginal_base(c)));
+    incident_.rows =
+        weighted_rows(sampler.tables().marginal, sampler.marginal_rows().row(marginal_base(c)));
   }
 
   const TabulatedSampler<T>& sampler() const { return *sampler_; }
