@@ -23,11 +23,11 @@ struct NormalSpans {
   std::span<float> x, y, z;
 };
 
-/// A batch differs from TabulatedSampler<float>::sample() by no more than a change of u1 and u2 by
-/// kBatchUError and of the slope at unit roughness and unit mean slope by kBatchSlopeError of
-/// max(1, |slope|) would make; inputs outside their range give the same (0, 0, 1). Targets differ
-/// among themselves by as much, for some of them fuse multiplications and additions.
-inline constexpr double kBatchUError = 3e-7, kBatchSlopeError = 2e-6;
+/// A normal of a batch is that of TabulatedSampler<float>::sample(), but for what a change of u1
+/// and u2 by kBatchUError makes and for kBatchAngle, in radians between the normals at unit
+/// roughness and unit mean slope; inputs outside their range give the same (0, 0, 1). Targets
+/// differ among themselves by as much, for some of them fuse multiplications and additions.
+inline constexpr double kBatchUError = 3e-7, kBatchAngle = 2e-6;
 
 /// Draws wm[i] for wi[k], alpha[k], u1[i], u2[i], k = i / per_direction: of each direction
 /// `per_direction` samples side by side, whose setup is done once. Any length; spans need no

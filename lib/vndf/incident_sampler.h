@@ -33,6 +33,8 @@ WeightedRows<T> weighted_rows(const QuantileTable& table, T row_coordinate) {
   return {first, 4, lagrange_weights(static_cast<T>(r.index - first) + r.fraction)};
 }
 
+inline constexpr double kIncidentRoundings = 8;
+
 /// What sampling needs to know of one incident direction and roughness.
 template <class T>
 struct Incident {
@@ -46,16 +48,13 @@ struct Incident {
   WeightedRows<T> rows;
 };
 
-/// Draws what TabulatedSampler::sample(wi, alpha, u1, u2) draws, within kUError of the same u1 and
-/// kSlopeError of the same slope. Refers to the sampler, which must live as long. Nothing allocates
-/// or throws.
+/// Draws what TabulatedSampler::sample(wi, alpha, u1, u2) draws, but for a change of u1 by
+/// kIncidentRoundings roundings of 1 and of as many in the angle at unit roughness: the blend of
+/// rows is summed in another order. Refers to the sampler, which must live as long. Nothing
+/// allocates or throws.
 template <class T>
 class IncidentSampler {
  public:
-  /// Roundings of 1 in u1, and of the larger of 1 and the slope at unit roughness, by which a
-  /// sample differs.
-  static constexpr double kRoundings = 8;
-
   IncidentSampler(const TabulatedSampler<T>& sampler, const Vec3<T>& wi,
                   const Alpha<T>& alpha) noexcept
       : sampler_(&sampler) {
