@@ -31,19 +31,22 @@ class BatchJudge {
   const TabulatedSampler<float>& sampler() const { return single_; }
 
   /// Angle from the scalar sample, less that by which a change of u1 and u2 by kBatchUError turns
-  /// the normal: at most kBatchAngle for a batch as promised.
+  /// the normal: at most allowed() for a batch as promised.
   double excess(const Vec3<float>& m, const SamplerInput& in) const {
     const double mu = single_.tables().mean_slope;
     const Alpha<double> unit{in.alpha.x * mu, in.alpha.y * mu};
     const auto exact = double_.sample(in.wi, in.alpha, in.u1, in.u2);
-    double allowed = 0;
+    double by_u = 0;
     for (const double s1 : {-kBatchUError, 0.0, kBatchUError})
       for (const double s2 : {-kBatchUError, 0.0, kBatchUError}) {
-        const auto moved = double_.sample(in.wi, in.alpha, in.u1 + s1, in.u2 + s2);
-        allowed = std::max(allowed, stretched_angle(moved, exact, unit));
+        const auto moved =
+            double_.sample(in.wi, in.alpha, probability(in.u1).u + s1, probability(in.u2).u + s2);
+        by_u = std::max(by_u, stretched_angle(moved, exact, unit));
       }
-    return stretched_angle(m, scalar(in), unit) - allowed;
+    return stretched_angle(m, scalar(in), unit) - by_u;
   }
+
+  double allowed() const { return kBatchAngle * single_.tables().tail_order; }
 
   Vec3<float> scalar(const SamplerInput& in) const {
     return single_.sample(wi(in), alpha(in), static_cast<float>(in.u1), static_cast<float>(in.u2));

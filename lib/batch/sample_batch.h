@@ -27,7 +27,7 @@ struct NormalSpans {
 /// and u2 by kBatchUError makes and for kBatchAngle, in radians between the normals at unit
 /// roughness and unit mean slope; inputs outside their range give the same (0, 0, 1). Targets
 /// differ among themselves by as much, for some of them fuse multiplications and additions.
-inline constexpr double kBatchUError = 3e-7, kBatchAngle = 2e-6;
+inline constexpr double kBatchUError = 3e-7, kBatchAngle = 1e-6;
 
 /// Draws wm[i] for wi[k], alpha[k], u1[i], u2[i], k = i / per_direction: of each direction
 /// `per_direction` samples side by side, whose setup is done once. Any length; spans need no
