@@ -11,7 +11,7 @@ namespace vndf::batch {
 
 /// Samples in a block: a multiple of the lanes of any target, few enough that a dozen arrays and
 /// the rows in use stay in the first-level cache.
-inline constexpr std::size_t kBlock = 64;
+inline constexpr std::size_t kBlock = 128;
 /// Most lanes that a kernel uses.
 inline constexpr std::size_t kMaxLanes = 16;
 
