@@ -1,7 +1,9 @@
-# find_package(vndf): targets vndf::vndf, vndf::io and vndf::precompute. FindHDF5 needs C enabled.
+# find_package(vndf): targets vndf::vndf, vndf::batch, vndf::io and vndf::precompute. FindHDF5 needs
+# C enabled.
 enable_language(C)
 include(CMakeFindDependencyMacro)
 find_dependency(Threads)
 find_dependency(HDF5 COMPONENTS C)
 find_dependency(OpenEXR 3)
+find_dependency(hwy 1)
 include(${CMAKE_CURRENT_LIST_DIR}/vndfTargets.cmake)

@@ -67,8 +67,14 @@ class MonotoneMap {
     return (static_cast<T>(k) + pieces_[k].inverse(value)) / count_;
   }
 
+  /// Cubics between nodes; none for the identity.
+  std::size_t pieces() const { return pieces_.size(); }
+  /// Coefficients c0, c1, c2, c3 of each piece in its fraction f, four a piece.
+  const T* coefficients() const { return identity() ? nullptr : &pieces_.front().c0; }
+
  private:
   using Piece = CubicPiece<T>;
+  static_assert(sizeof(Piece) == 4 * sizeof(T), "coefficients() reads pieces as one array");
 
   std::vector<Piece> pieces_;
   T count_ = T(0);

@@ -164,6 +164,18 @@ class TabulatedSampler {
   std::optional<Vec2<T>> invert(const Vec3<T>& wi, const Vec3<T>& wm,
                                 const Alpha<T>& alpha) const noexcept;
 
+  // The parts, for samplers that do the same steps in another order.
+
+  /// mu = E|X| at unit roughness.
+  T mean_slope() const { return mean_slope_; }
+  /// The largest slope of the distribution.
+  const BoundedSlope<T>& bounded_support() const { return bounded_support_; }
+  const RowAxis<T>& marginal_rows() const { return marginal_rows_; }
+  const RowAxis<T>& conditional_rows() const { return conditional_rows_; }
+  const MonotoneMap<T>& marginal_map() const { return marginal_map_; }
+  T conditional_unit() const { return conditional_unit_; }
+  const ConditionalScale<T>& conditional_scale() const { return conditional_scale_; }
+
  private:
   /// Columns of the two tables, and the sign of slope_y: what u1 and u2 stand for.
   struct Columns {
