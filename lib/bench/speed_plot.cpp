@@ -33,7 +33,7 @@ const Series kSeries[] = {
      [](const SpeedEntry& e) { return e.kind == Kind::compact; }},
     {"closed forms", "with points pt 9 ps 1 lc rgb '#b5367a'",
      [](const SpeedEntry& e) { return e.kind == Kind::reference || e.kind == Kind::baseline; }},
-    {"Pareto front", "with fsteps lw 2 lc rgb '#000000'",
+    {"Pareto front", "with steps lw 2 lc rgb '#000000'",
      [](const SpeedEntry& e) { return e.on_front; }},
 };
 
@@ -45,8 +45,10 @@ std::vector<std::string> distributions(const SpeedReport& report) {
   return list;
 }
 
-/// What is written beside a mark: the size of a table, the name of another sampler.
+/// What is written beside a mark: the size of a table, the name of another sampler; nothing beside
+/// the smallest tables, whose error says which they are.
 std::string label_of(const SpeedEntry& e) {
+  if (e.kind == Kind::compact) return "";
   if (e.side > 0) return std::to_string(e.side);
   return e.name.substr(e.distribution.size() + 1);
 }
@@ -110,9 +112,10 @@ std::string speed_plot(const SpeedReport& report, const std::string& terminal,
   std::string text = fmt::format(
       "set terminal {} size {},{} font ',11' background 'white'\nset output '{}'\n"
       "set encoding utf8\n"
-      "set multiplot layout {},{} title 'Time per sample, random directions and roughness, over "
-      "that of {}\\n{}, {}, {}' noenhanced\n"
+      "set multiplot layout {},{} title 'Time per sample over that of {}, random directions and "
+      "roughness ({}, {}, {})' noenhanced\n"
       "set logscale xy\nset format x '10^{{%T}}'\nset grid lc rgb '#dddddd'\nset tics nomirror\n"
+      "set ytics (0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100)\n"
       "set xlabel 'u-error, max'\nset ylabel 'time'\nset xrange [{:.3e}:{:.3e}]\n"
       "set yrange [{:.3f}:{:.3f}]\n",
       terminal, 560 * columns, 430 * rows + 50, output, rows, columns, report.entries.front().name,
