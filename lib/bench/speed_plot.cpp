@@ -37,10 +37,12 @@ const Series kSeries[] = {
      [](const SpeedEntry& e) { return e.on_front; }},
 };
 
+/// Those of which more than the baseline is to be seen.
 std::vector<std::string> distributions(const SpeedReport& report) {
   std::vector<std::string> list;
   for (const SpeedEntry& e : report.entries)
-    if (e.errors.u && std::ranges::find(list, e.distribution) == list.end())
+    if (e.kind != Kind::baseline && e.errors.u &&
+        std::ranges::find(list, e.distribution) == list.end())
       list.push_back(e.distribution);
   return list;
 }
@@ -53,33 +55,39 @@ std::string label_of(const SpeedEntry& e) {
   return e.name.substr(e.distribution.size() + 1);
 }
 
-/// The marks of one series, by increasing error: u-error, ratio, label.
-std::string block(const SpeedReport& report, const std::string& distribution, const Series& series,
-                  const std::string& name) {
+/// The entries of one series, by increasing error.
+std::vector<const SpeedEntry*> shown_in(const SpeedReport& report, const std::string& distribution,
+                                        const Series& series) {
   std::vector<const SpeedEntry*> shown;
   for (const SpeedEntry& e : report.entries)
     if (e.distribution == distribution && e.errors.u && series.shows(e)) shown.push_back(&e);
   std::ranges::stable_sort(shown, {}, [](const SpeedEntry* e) { return *e->errors.u; });
+  return shown;
+}
+
+/// Their u-errors, ratios and labels.
+std::string block(const std::vector<const SpeedEntry*>& shown, const std::string& name) {
   std::string text = "$" + name + " << EOD\n";
   for (const SpeedEntry* e : shown)
     text += fmt::format("{:.6e} {:.4f} \"{}\"\n", *e->errors.u, e->incoherent_ratio, label_of(*e));
-  // A set of marks without any is one that cannot be seen.
-  if (shown.empty()) text += "NaN NaN \"\"\n";
   return text + "EOD\n";
 }
 
+/// Series without entries are left out: gnuplot cannot draw none.
 std::string panel(const SpeedReport& report, const std::string& distribution, std::size_t number) {
-  std::string blocks, plots;
+  // The baseline is of one distribution, its speed the unit of all.
+  std::string blocks, plots = "1 with lines lc rgb '#b5367a' dt 2 notitle";
   for (std::size_t k = 0; k < std::size(kSeries); ++k) {
+    const auto shown = shown_in(report, distribution, kSeries[k]);
+    if (shown.empty()) continue;
     const std::string name = fmt::format("panel{}_{}", number, k);
-    blocks += block(report, distribution, kSeries[k], name);
-    plots += fmt::format("{}${} using 1:2 {} title '{}'", k == 0 ? "" : ", ", name,
-                         kSeries[k].style, kSeries[k].title);
+    blocks += block(shown, name);
+    plots += fmt::format(", ${} using 1:2 {} title '{}'", name, kSeries[k].style, kSeries[k].title);
     if (k + 1 < std::size(kSeries))
       plots +=
           fmt::format(", ${} using 1:2:3 with labels left offset 0.6,0.4 font ',8' notitle", name);
   }
-  return fmt::format("{}set title '{}'\nset key {}\nplot {}\n", blocks, distribution,
+  return fmt::format("{}set title '{}' noenhanced\nset key {}\nplot {}\n", blocks, distribution,
                      number == 0 ? "top right" : "off", plots);
 }
 
