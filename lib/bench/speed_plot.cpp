@@ -128,7 +128,7 @@ std::string speed_plot(const SpeedReport& report, const std::string& terminal,
       "set yrange [{:.3f}:{:.3f}]\n",
       terminal, 560 * columns, 430 * rows + 50, output, rows, columns, report.entries.front().name,
       at.processor, at.compiler, at.date, error.low / 2, error.high * 4, ratio.low / 1.3,
-      ratio.high * 1.5);
+      ratio.high * 6);
   for (std::size_t k = 0; k < names.size(); ++k) text += panel(report, names[k], k);
   return text + "unset multiplot\n";
 }
