@@ -99,7 +99,7 @@ TEST_CASE("help of the program and of every subcommand explains itself") {
   const Folder folder;
   const Result help = folder.run("--help");
   CHECK(help.status == 0);
-  for (const std::string name : {"build", "info", "sample", "convert", "picture"}) {
+  for (const std::string name : {"build", "info", "sample", "convert", "picture", "bench"}) {
     CHECK_THAT(help.out, contains(name));
     CHECK(folder.run(name + " --help").status == 0);
   }
@@ -290,6 +290,29 @@ TEST_CASE("a picture of the tables is drawn") {
   REQUIRE(folder.run("picture ggx.h5 -o tables.png").status == 0);
   CHECK(content(folder / "tables.png").substr(1, 3) == "PNG");
   check_one_line_failure(folder.run("picture ggx.h5 -o tables.gif"), "tables.gif");
+}
+
+TEST_CASE("bench --quick prints a table, writes JSON and draws the picture") {
+  const Folder folder;
+  const Result r = folder.run(
+      "bench --quick --repetitions 1 --distribution ggx --only 'cubic 16' hemisphere "
+      "--json speed.json --plot speed.svg");
+  CHECK(r.status == 0);
+  CHECK_THAT(r.out, contains("ggx caps as published") && contains("ggx cubic 16") &&
+                        contains("ggx hemisphere") && contains("u-error"));
+  const auto json = nlohmann::json::parse(content(folder / "speed.json"));
+  CHECK(json.at("entries").size() == 3);
+  CHECK(json.at("repetitions") == 1);
+  CHECK_THAT(content(folder / "speed.svg"), contains("<svg") && contains("Pareto front"));
+}
+
+TEST_CASE("bench refuses what it cannot do before it times anything") {
+  const Folder folder;
+  check_one_line_failure(folder.run("bench --quick --only qubic"), "'qubic'");
+  check_one_line_failure(folder.run("bench --quick --distribution gxx"), "'gxx'");
+  check_one_line_failure(folder.run("bench --quick --plot speed.gif"), "speed.gif");
+  check_failure(folder.run("bench --repetitions 0"), 2, "--repetitions");
+  CHECK(folder.files().empty());
 }
 
 TEST_CASE("build --list names every family with its parameters") {

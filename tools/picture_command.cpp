@@ -2,15 +2,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "commands.h"
+#include "gnuplot.h"
 #include "io/table_file.h"
 #include "vndf/table_coordinates.h"
 
@@ -110,27 +108,6 @@ std::string script(const SlopeTables& t, const std::string& output, const std::s
   return text + "unset multiplot\n";
 }
 
-std::string terminal_for(const std::string& output) {
-  const auto extension = std::filesystem::path(output).extension();
-  if (extension == ".png") return "pngcairo";
-  if (extension == ".svg") return "svg";
-  throw std::runtime_error("'" + output + "': a picture's name must end in .png or .svg");
-}
-
-/// Gnuplot reads a quoted file name up to the next quote.
-void require_plain(const std::string& output) {
-  if (output.find_first_of("'\n\\") != std::string::npos)
-    throw std::runtime_error("'" + output + "': the name must not hold a quote or a backslash");
-}
-
-void run_gnuplot(const std::string& text) {
-  std::FILE* pipe = popen("gnuplot", "w");
-  if (pipe == nullptr) throw std::runtime_error("cannot start gnuplot");
-  const bool written = std::fwrite(text.data(), 1, text.size(), pipe) == text.size();
-  if (pclose(pipe) != 0 || !written)
-    throw std::runtime_error("gnuplot failed; is it installed (package gnuplot-nox)?");
-}
-
 }  // namespace
 
 void add_picture(CLI::App& app) {
@@ -141,7 +118,6 @@ void add_picture(CLI::App& app) {
       ->required();
   command->callback([arguments] {
     const std::string terminal = terminal_for(arguments->output);
-    require_plain(arguments->output);
     const io::TableFile file = io::load(arguments->file);
     run_gnuplot(script(*file.tables, arguments->output, terminal));
   });

@@ -1,0 +1,17 @@
+// The picture of a benchmark: speed against error, one panel for each distribution.
+#pragma once
+
+#include <string>
+
+#include "bench/speed_report.h"
+
+namespace vndf::bench {
+
+/// A script for gnuplot that draws to the file `output` by `terminal` ("svg", "pngcairo"): across,
+/// the u-error; upwards, the incoherent time per sample as a multiple of the baseline's; the Pareto
+/// front as a line of steps. Throws std::invalid_argument where no entry but the baseline has a
+/// u-error. `output` must hold no quote.
+std::string speed_plot(const SpeedReport& report, const std::string& terminal,
+                       const std::string& output);
+
+}  // namespace vndf::bench

@@ -1,0 +1,82 @@
+// vndf bench: the speed of every sampler beside its errors, in one run.
+#include <unistd.h>
+
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bench/entrants.h"
+#include "bench/speed_plot.h"
+#include "bench/speed_report.h"
+#include "commands.h"
+#include "gnuplot.h"
+#include "io/refusal.h"
+#include "io/whole_file.h"
+
+namespace vndf::tools {
+namespace {
+
+struct BenchArguments {
+  std::vector<std::string> only, distributions = bench::kUsualDistributions;
+  int repetitions = bench::CollectOptions().repetitions;
+  std::string json, plot;
+  bool quick = false;
+};
+
+/// What --quick leaves: enough to see that everything runs, too little to trust a figure.
+void make_quick(bench::FieldOptions& field, bench::SpeedOptions& speed) {
+  field.sides = {16, 64};
+  field.tolerances = {1e-4};
+  speed.collect.seconds = 1e-3;
+  speed.samples = std::size_t{1} << 16;
+}
+
+void write_json(const std::string& path, const bench::SpeedReport& report) {
+  try {
+    io::replace_file(path, bench::to_json(report).dump(2) + '\n');
+  } catch (const io::Refusal& refusal) {
+    throw std::runtime_error(path + ": " + refusal.what());
+  }
+}
+
+void run_bench(const BenchArguments& arguments) {
+  // A name that cannot be drawn to is refused before any work.
+  const std::string terminal = arguments.plot.empty() ? "" : terminal_for(arguments.plot);
+  bench::FieldOptions field{.distributions = arguments.distributions};
+  bench::SpeedOptions speed{.collect = {.repetitions = arguments.repetitions}, .program = kProgram};
+  if (isatty(STDERR_FILENO) != 0)
+    speed.progress = [](const std::string& what) { std::cerr << what << '\n'; };
+  if (arguments.quick) make_quick(field, speed);
+
+  const auto report =
+      bench::measure_speed(bench::chosen(bench::entrants(field), arguments.only), speed);
+  std::cout << bench::describe(report);
+  if (!arguments.json.empty()) write_json(arguments.json, report);
+  if (!terminal.empty()) run_gnuplot(bench::speed_plot(report, terminal, arguments.plot));
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app) {
+  auto* command =
+      app.add_subcommand("bench", "Time every sampler, tabulated or not, beside its errors");
+  const auto arguments = std::make_shared<BenchArguments>();
+  command->add_option("--only", arguments->only,
+                      "Only samplers in whose names one of these words occurs");
+  command->add_option("--distribution", arguments->distributions, "Distributions to tabulate")
+      ->capture_default_str();
+  command
+      ->add_option("--repetitions", arguments->repetitions,
+                   "Repetitions of each timing, whose median counts")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_option("--json", arguments->json, "Write all figures to this file");
+  command->add_option("--plot", arguments->plot,
+                      "Draw speed against error: .svg or .png (needs gnuplot)");
+  command->add_flag("--quick", arguments->quick,
+                    "Few sizes, short timings: to see that it runs, not for figures");
+  command->callback([arguments] { run_bench(*arguments); });
+}
+
+}  // namespace vndf::tools
