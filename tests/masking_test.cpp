@@ -15,7 +15,7 @@ namespace {
 
 static_assert(MaskingModel<SmithSeparable, ExactGgx<double>, double>);
 static_assert(MaskingModel<SmithCorrelated, ExactGgx<double>, double>);
-static_assert(MaskingModel<VCavity, ExactGgx<double>, double>);
+static_assert(MaskingModel<VCavityMasking, ExactGgx<double>, double>);
 
 const std::vector<double> kLambdas{0, 1e-12, 1e-3, 0.3, 1, 2.5, 7, 40, 1e3};
 
@@ -126,20 +126,20 @@ TEST_CASE("V-cavities mask by the twin facet alone") {
   // Facet and twin seen from the side: the part of the facet that the twin leaves in sight, by the
   // similar triangles of the cavity, is 2 wm.z w.z / (w.wm).
   const auto m = direction<double>(40), near = direction<double>(30), low = direction<double>(80);
-  CHECK(VCavity::g1(ggx, near, m, alpha) == 1);
-  CHECK(VCavity::g1(ggx, low, m, alpha) ==
+  CHECK(VCavityMasking::g1(ggx, near, m, alpha) == 1);
+  CHECK(VCavityMasking::g1(ggx, low, m, alpha) ==
         Approx(2 * std::cos(40 * kDegree) * std::cos(80 * kDegree) / std::cos(40 * kDegree)));
-  CHECK(VCavity::g1(ggx, direction<double>(80, 180), m, alpha) == 0);
-  CHECK(VCavity::shadowing_of_reflection(0.5, 0.4) == Approx(0.4 / 0.5));
-  CHECK(VCavity::shadowing_of_reflection(0.4, 0.5) == 1);
-  CHECK(VCavity::shadowing_of_transmission(0.5, 0.4) == 0);
-  CHECK(VCavity::shadowing_of_transmission(0.8, 0.5) == Approx(0.3 / 0.8));
+  CHECK(VCavityMasking::g1(ggx, direction<double>(80, 180), m, alpha) == 0);
+  CHECK(VCavityMasking::shadowing_of_reflection(0.5, 0.4) == Approx(0.4 / 0.5));
+  CHECK(VCavityMasking::shadowing_of_reflection(0.4, 0.5) == 1);
+  CHECK(VCavityMasking::shadowing_of_transmission(0.5, 0.4) == 0);
+  CHECK(VCavityMasking::shadowing_of_transmission(0.8, 0.5) == Approx(0.3 / 0.8));
 }
 
 TEST_CASE("G2 is symmetric, at most G1, and 0 for a facet that one direction does not see") {
   check_g2<SmithSeparable>(1e-15, 0);
   check_g2<SmithCorrelated>(1e-12, 0);
-  check_g2<VCavity>(1e-15, 1e-15);  // it takes the difference of numbers near 1
+  check_g2<VCavityMasking>(1e-15, 1e-15);  // it takes the difference of numbers near 1
 }
 
 TEST_CASE("G2 / G1 has its limits where Lambda is infinite, in both precisions") {
@@ -149,12 +149,12 @@ TEST_CASE("G2 / G1 has its limits where Lambda is infinite, in both precisions")
     for (const T gi : {T(0), tiny, T(1e-10), T(0.5), T(1)})
       for (const T go : {T(0), tiny, T(1e-10), T(0.5), T(1)}) {
         CAPTURE(gi, go);
-        for (const T s :
-             {SmithSeparable::shadowing_of_reflection(gi, go),
-              SmithSeparable::shadowing_of_transmission(gi, go),
-              SmithCorrelated::shadowing_of_reflection(gi, go),
-              SmithCorrelated::shadowing_of_transmission(gi, go),
-              VCavity::shadowing_of_reflection(gi, go), VCavity::shadowing_of_transmission(gi, go)})
+        for (const T s : {SmithSeparable::shadowing_of_reflection(gi, go),
+                          SmithSeparable::shadowing_of_transmission(gi, go),
+                          SmithCorrelated::shadowing_of_reflection(gi, go),
+                          SmithCorrelated::shadowing_of_transmission(gi, go),
+                          VCavityMasking::shadowing_of_reflection(gi, go),
+                          VCavityMasking::shadowing_of_transmission(gi, go)})
           CHECK((s >= 0 && s <= 1));
       }
     // (1 + Lambda_i) / (1 + Lambda_i + Lambda_o) -> 1 as Lambda_i grows, -> 0 as Lambda_o does.

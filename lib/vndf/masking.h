@@ -27,7 +27,7 @@ bool sees_facet(const Vec3<T>& w, const Vec3<T>& wm) noexcept {
 }
 
 /// Smith's model: heights and normals independent, so that G1 is the same for every facet seen.
-struct Smith {
+struct SmithMasking {
   template <class S, class T>
   static T g1(const S& sampler, const Vec3<T>& w, const Vec3<T>& wm,
               const Alpha<T>& alpha) noexcept {
@@ -36,7 +36,7 @@ struct Smith {
 };
 
 /// G2 = G1(wi) G1(wo): masking and shadowing independent. Maximum error: 1 rounding, as given G1.
-struct SmithSeparable : Smith {
+struct SmithSeparable : SmithMasking {
   template <class T>
   static T shadowing_of_reflection(T, T go) noexcept {
     return go;
@@ -52,7 +52,7 @@ struct SmithSeparable : Smith {
 /// one below with (1 - h)^Lambda, so G2 is the integral over h of h^(Lambda_i + Lambda_o) in
 /// reflection, 1 / (1 + Lambda_i + Lambda_o), and of h^Lambda_i (1 - h)^Lambda_o in transmission,
 /// B(1 + Lambda_i, 1 + Lambda_o).
-struct SmithCorrelated : Smith {
+struct SmithCorrelated : SmithMasking {
   /// Multiplied by 1 + Lambda_i = 1 / gi: go / (gi + go (1 - gi)), a sum of positive terms. Where
   /// both directions are horizontal it has no limit; 0. Maximum error: 4 roundings.
   template <class T>
@@ -73,7 +73,7 @@ struct SmithCorrelated : Smith {
 /// V-cavities: each facet wm = (x, y, z) faces (-x, -y, z), and only those two mask each other
 /// (equation 3). G2 is min(G1, G1) in reflection, max(G1 + G1 - 1, 0) in transmission. Maximum
 /// error: 2 roundings.
-struct VCavity {
+struct VCavityMasking {
   template <class S, class T>
   static T g1(const S&, const Vec3<T>& w, const Vec3<T>& wm, const Alpha<T>&) noexcept {
     if (!sees_facet(w, wm)) return T(0);
