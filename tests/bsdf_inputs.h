@@ -58,7 +58,7 @@ inline Vec3<double> random_direction(RandomInputs& random, double largest_degree
 
 /// int f(w) dw over the upper hemisphere, by the midpoint rule in w.z and azimuth.
 template <class F>
-double over_hemisphere(F f, int rings = 800) {
+double over_hemisphere(F f, int rings = 600) {
   const int spokes = rings;
   double sum = 0;
   for (int i = 0; i < rings; ++i) {
