@@ -32,7 +32,7 @@ inline Environment smooth_environment() {
 /// The same sky with a lamp at `theta` from the normal and `azimuth`, in degrees. It is 1.8 degrees
 /// wide (at exp(-1/2) of its peak), and lights a white surface that faces it as much as the sky
 /// does: 2 pi brightness / sharpness = pi.
-inline Environment lamp_environment(double theta = 60, double azimuth = 90) {
+inline Environment lamp_environment(double theta = 30, double azimuth = 180) {
   constexpr double kDegree = std::numbers::pi / 180;
   Environment light = smooth_environment();
   light.name = "lamp";
