@@ -269,3 +269,18 @@ TEST_CASE("options outside their range are refused by name") {
   CHECK_THAT(refused([](auto& o) { o.samples = 0; }), contains("samples"));
   CHECK(refused([](auto&) {}).empty());
 }
+
+TEST_CASE("tables and the closed form have one mean and one variance to 1e8 samples", "[.slow]") {
+  auto estimators = named_estimators(large_tables("ggx").tables);
+  estimators.push_back(make_estimator<SmithCorrelated>("algorithm-2-caps", "smith", Ggx{}));
+  for (const double theta : {45.0, 80.0}) {
+    const auto results = run_variance_experiment(
+        estimators, options_at(theta, {0.5, 0.5}, smooth_environment(), 100'000'000));
+    for (const auto& r : results) {
+      CAPTURE(theta, r.name, r.samples().mean, r.samples().standard_error(), r.gain, r.deviation);
+      CHECK(std::abs(r.deviation) < kSameMean);
+      if (r.visible && r.surface == "smith") CHECK(r.samples().standard_error() < 1e-4);
+    }
+    CHECK(find(results, "algorithm-2-caps").gain_over_visible == Approx(1).epsilon(1e-3));
+  }
+}
