@@ -1,7 +1,10 @@
 // The operators reflect and transmit: their laws, their inverses, their Jacobians.
 #include "vndf/scatter.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <vector>
 
 #include "bsdf_inputs.h"
 #include "catch.h"
@@ -43,7 +46,47 @@ double area_ratio(Map map, const Vec3<double>& m) {
   return std::sqrt(dot(area, area));
 }
 
+/// Largest difference of a component from `exact`.
+template <class T>
+double error_of(const Vec3<T>& w, const Vec3<long double>& exact) {
+  const auto difference = [](T a, long double b) { return static_cast<double>(std::abs(a - b)); };
+  return std::max({difference(w.x, exact.x), difference(w.y, exact.y), difference(w.z, exact.z)});
+}
+
+/// Against the same laws as the paper prints them, in extended precision.
+template <class T>
+void check_errors() {
+  RandomInputs random(8);
+  const auto rounded = [](const Vec3<double>& w) {
+    return Vec3<T>{static_cast<T>(w.x), static_cast<T>(w.y), static_cast<T>(w.z)};
+  };
+  for (int i = 0; i < 100000; ++i) {
+    const auto wi = rounded(random_direction(random, 180));
+    const auto wm = rounded(random_direction(random, 180));
+    const T eta = static_cast<T>(std::pow(10, 2 * random.uniform() - 1));
+    const Vec3<long double> w{wi.x, wi.y, wi.z}, m{wm.x, wm.y, wm.z};
+    const auto combined = [&](long double a, long double b) {
+      return Vec3<long double>{a * m.x - b * w.x, a * m.y - b * w.y, a * m.z - b * w.z};
+    };
+    const long double c = dot(w, m), n = 1.0L / eta, square = 1 + n * n * (c * c - 1);
+    CAPTURE(i, eta, static_cast<double>(c));
+    REQUIRE(error_of(reflect(wi, wm), combined(2 * c, 1)) <= kReflectError<T>);
+    const auto wo = refract(wi, wm, eta);
+    if (!wo || square < 0) continue;
+    const long double root = std::sqrt(square);
+    const double g = static_cast<double>(eta * root);
+    const double bound =
+        std::min<double>(kRefractError<T> / std::min(1.0, g), kRefractErrorAtCriticalAngle<T>);
+    REQUIRE(error_of(*wo, combined(n * c - (c < 0 ? -root : root), n)) <= bound / eta);
+  }
+}
+
 }  // namespace
+
+TEST_CASE("reflection and refraction err by no more than is stated") {
+  check_errors<float>();
+  check_errors<double>();
+}
 
 TEST_CASE("reflection keeps the angle to the normal, and twice reflected is the direction itself") {
   RandomInputs random(1);

@@ -5,14 +5,27 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "vndf/vec.h"
 
 namespace vndf {
 
-/// The direction into which a mirror with normal `wm`, facing either way, sends `wi`. Maximum
-/// error: 8 roundings in each component.
+/// Largest error of a component of reflect(), for unit vectors.
+template <class T>
+inline constexpr T kReflectError = T(4) * std::numeric_limits<T>::epsilon();
+
+/// Largest error of eta times a component of refract(), for eta in [0.1, 10]: kRefractError,
+/// divided by g = eta |wo.wm| where g < 1, but at most kRefractErrorAtCriticalAngle, 2
+/// sqrt(epsilon).
+template <class T>
+inline constexpr T kRefractError = T(24) * std::numeric_limits<T>::epsilon();
+template <class T>
+inline constexpr T kRefractErrorAtCriticalAngle = std::numeric_limits<T>::digits == 24 ? T(7e-4)
+                                                                                       : T(3e-8);
+
+/// The direction into which a mirror with normal `wm`, facing either way, sends `wi`.
 template <class T>
 Vec3<T> reflect(const Vec3<T>& wi, const Vec3<T>& wm) noexcept {
   const T scale = T(2) * dot(wi, wm);
@@ -27,8 +40,7 @@ T squared_far_cosine(T cosine, T eta) noexcept {
 }
 
 /// The direction into which `wi` is refracted through the facet `wm`, which may face either way;
-/// nothing at total internal reflection. Valid: eta > 0. Exactly -wi at eta = 1. Maximum error: 8
-/// roundings in each component, times 1 / eta, and the square root of one near the critical angle.
+/// nothing at total internal reflection. Valid: eta > 0. Exactly -wi at eta = 1.
 template <class T>
 std::optional<Vec3<T>> refract(const Vec3<T>& wi, const Vec3<T>& wm, T eta) noexcept {
   const T cosine = dot(wi, wm);
