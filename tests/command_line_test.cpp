@@ -378,3 +378,37 @@ TEST_CASE("options that do not go together are wrong usage") {
   check_failure(folder.run("build ggx --break 1 -o a.h5"), 2, "--break");
   check_failure(folder.run("build ggx --frozen-at 0.3 -o a.h5"), 2, "--frozen-at");
 }
+
+TEST_CASE("the variance experiment tells the gain of visible normals, from a name or from a file") {
+  const Folder folder;
+  REQUIRE(folder.run("build ggx -o t.h5 --size 64 --quiet").status == 0);
+  const std::string options = " --samples 1e5 --theta 80 --alpha 0.5 --light smooth";
+  const Result text = folder.run("experiment variance --distribution ggx" + options);
+  REQUIRE(text.status == 0);
+  CHECK_THAT(text.out, contains("algorithm-2-tables"));
+  CHECK(text.error.empty());
+
+  const Result json = folder.run("experiment variance --tables t.h5 --json" + options);
+  REQUIRE(json.status == 0);
+  const auto report = nlohmann::json::parse(json.out);
+  const auto& estimators = report["lights"][0]["estimators"];
+  CHECK(report["lights"].size() == 1);
+  CHECK(estimators[0]["estimator"] == "algorithm-1");
+  CHECK(estimators[0]["gain_over_algorithm_1"] == 1);
+  CHECK(estimators[1]["gain_over_algorithm_1"] > 1.5);
+  CHECK(estimators[1]["largest_weight"] <= 1);
+  CHECK(folder.run("experiment variance --tables t.h5 --json --threads 1" + options).out ==
+        json.out);
+}
+
+TEST_CASE("the variance experiment refuses what it cannot run") {
+  const Folder folder;
+  check_failure(folder.run("experiment"), 2, "subcommand");
+  check_failure(folder.run("experiment variance"), 2, "--distribution or --tables");
+  check_failure(folder.run("experiment variance --distribution ggx --tables t.h5"), 2, "excludes");
+  check_failure(folder.run("experiment variance --distribution ggx --samples 1.5"), 2, "1.5");
+  check_failure(folder.run("experiment variance --distribution ggx --samples 0"), 2, "'0'");
+  check_one_line_failure(folder.run("experiment variance --tables missing.h5"), "missing.h5");
+  check_one_line_failure(folder.run("experiment variance --distribution ggx --theta 95"), "theta");
+  check_one_line_failure(folder.run("experiment variance --distribution ggx --alpha 0"), "alpha");
+}

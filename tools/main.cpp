@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
   vndf::tools::add_sample(app);
   vndf::tools::add_convert(app);
   vndf::tools::add_picture(app);
+  vndf::tools::add_experiment(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
