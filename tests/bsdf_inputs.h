@@ -9,38 +9,12 @@
 #include "random_inputs.h"
 #include "vndf/all_normals.h"
 #include "vndf/normal_sampler.h"
+#include "vndf/reference/v_cavity.h"
 
 namespace vndf::test {
 
-/// The visible normals of V-cavities of GGX (Algorithm 3). The choice between a normal and its twin
-/// is made by the lower 33 of the 53 bits of u1, which the choice of the cavity hardly needs.
-class ExactVCavity {
-  using T = double;
-
- public:
-  static constexpr bool kVisible = true;
-
-  Vec3<T> sample(const Vec3<T>& wi, const Alpha<T>& alpha, T u1, T u2) const noexcept {
-    const T scaled = std::ldexp(u1, 20), choice = scaled - std::floor(scaled);
-    const Vec3<T> m = normals_.sample(wi, alpha, u1, u2);
-    const Vec3<T> twin{-m.x, -m.y, m.z};
-    const T own = std::max(T(0), dot(wi, m)), other = std::max(T(0), dot(wi, twin));
-    return choice * (own + other) < other ? twin : m;
-  }
-  T d(const Vec3<T>& m, const Alpha<T>& alpha) const noexcept { return normals_.d(m, alpha); }
-  T lambda(const Vec3<T>& w, const Alpha<T>& alpha) const noexcept {
-    return normals_.lambda(w, alpha);
-  }
-  T g1(const Vec3<T>& w, const Alpha<T>& alpha) const noexcept { return normals_.g1(w, alpha); }
-  T pdf(const Vec3<T>& wi, const Vec3<T>& wm, const Alpha<T>& alpha) const noexcept {
-    const T cosine = dot(wi, wm);
-    if (!(cosine > 0)) return 0;
-    return d(wm, alpha) * (wi.z > 0 ? std::min(cosine / wi.z, 2 * wm.z) : 2 * wm.z);
-  }
-
- private:
-  AllNormals<T, ExactGgx<T>> normals_{ExactGgx<T>{}};
-};
+/// The visible normals of V-cavities of GGX (Algorithm 3).
+using ExactVCavity = VCavity<double, AllNormals<double, ExactGgx<double>>>;
 
 inline constexpr double kDegree = std::numbers::pi / 180;
 

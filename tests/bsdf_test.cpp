@@ -29,7 +29,7 @@ constexpr double kAgreement = 1e-9;
 const Gold kGold{{{{0.14, 4.1}, {0.37, 2.3}, {1.44, 1.8}}}};
 const Ggx kGgx;
 const AllGgx kAllGgx{kGgx};
-const ExactVCavity kVCavity;
+const ExactVCavity kVCavity{kAllGgx};
 
 struct Configuration {
   double degrees, azimuth;
