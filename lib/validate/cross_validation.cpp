@@ -4,18 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "precompute/conditional_slopes.h"
 #include "precompute/visible_slopes.h"
 #include "precompute/words.h"
+#include "validate/conditional_law.h"
 #include "validate/law_test.h"
 
 namespace vndf::validate {
 namespace {
 
-using precompute::ConditionalSlopes;
 using precompute::VisibleSlopes;
-
-constexpr double kSmallestMass = 1e-9;  // of the slopes x whose conditional is looked at
 
 struct Difference {
   Worst u, angle;
@@ -55,13 +52,9 @@ Vec3<double> exact_normal(const SlopeLaw& law, const Configuration& c, double u1
   const StretchedFrame frame(law, c);
   const auto& slopes = law.slopes();
   const double a = VisibleSlopes(slopes, frame.cotangent()).quantile({u1, 1 - u1}, 0);
-  const double x = std::sinh(a), r = slopes.support();
-  double y = 0;
-  if (slopes.m(std::abs(a)) > kSmallestMass && ConditionalSlopes::reachable(slopes, std::abs(x))) {
-    const double scale = std::isinf(r) ? std::hypot(1, x) : std::sqrt((r - x) * (r + x));
-    const auto folded = fold(Probability<double>{u2, 1 - u2});
-    y = folded.sign * scale * ConditionalSlopes(slopes, std::abs(x)).quantile(folded.p);
-  }
+  const double x = std::sinh(a);
+  const double y =
+      ConditionalLaw::judged(slopes, x) ? ConditionalLaw(slopes, x).quantile({u2, 1 - u2}) : 0;
   return frame.normal_of({x, y, 1});
 }
 

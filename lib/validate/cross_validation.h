@@ -12,7 +12,7 @@
 namespace vndf::validate {
 
 /// The normal of the exact monotone map at (u1, u2): root finding on the exact CDFs in double
-/// precision, some 0.1 ms.
+/// precision, some 0.1 ms. Beyond kSmallestMass slope y is taken as 0.
 Vec3<double> exact_normal(const SlopeLaw& law, const Configuration& configuration, double u1,
                           double u2);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "validate/density_distance.h"
 #include "validate/law_test.h"
 #include "validate/normal_quadrature.h"
 
@@ -24,21 +25,6 @@ double golden(std::size_t k, double ratio) {
 /// Points that fill the unit square evenly (Roberts 2018), as single-precision numbers.
 Pair square_point(std::size_t k) {
   return {to_single(golden(k, 0.7548776662466927)), to_single(golden(k, 0.5698402909980532))};
-}
-
-/// Distance of `given` from the values that `exact` takes at the slopes of `wm` times
-/// 1 -+ kSlopeRounding, relative to the largest that `scale` takes there: 0 where that is infinite.
-template <class Exact, class Scale>
-double distance(double given, const Vec3<double>& wm, Exact exact, Scale scale) {
-  const auto range = [&](auto f) {
-    const auto at = [&](double s) { return f(Vec3<double>{wm.x * s, wm.y * s, wm.z}); };
-    return std::minmax({at(1), at(1 - kSlopeRounding), at(1 + kSlopeRounding)});
-  };
-  const auto [low, high] = range(exact);
-  const double largest = range(scale).second;
-  if (std::isnan(given)) return kUnknown;
-  if (std::isinf(largest) || (given >= low && given <= high)) return 0;
-  return std::max(low - given, given - high) / largest;
 }
 
 struct DensityErrors {
@@ -82,8 +68,8 @@ class DensityJudge {
       const auto pdf_of = [&](const auto& m) { return law_.pdf(m); };
       const auto facing = [&](const auto& m) { return law_.facing_pdf(m); };
       const auto d_of = [&](const auto& m) { return subject_.law->d(m, c_.alpha); };
-      errors_.pdf.see(distance(pdf[k], wm[k], pdf_of, facing), place);
-      errors_.d.see(distance(d[k], wm[k], d_of, d_of), place);
+      errors_.pdf.see(density_distance(pdf[k], wm[k], pdf_of, facing), place);
+      errors_.d.see(density_distance(d[k], wm[k], d_of, d_of), place);
     }
   }
 

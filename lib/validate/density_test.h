@@ -11,10 +11,6 @@
 
 namespace vndf::validate {
 
-/// Densities are compared up to what they change by when the slope of the normal changes by this:
-/// some roundings of a single-precision normal.
-inline constexpr double kSlopeRounding = 5e-7;
-
 std::vector<Finding> test_density(const Subject& subject, const precompute::Workers& workers);
 
 }  // namespace vndf::validate

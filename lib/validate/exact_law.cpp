@@ -10,10 +10,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-Probability<double> radius_cdf(const RadialLaw& radii, double horizontal, double height) {
-  return radii.cdf(std::asinh(horizontal / height));
-}
-
 /// Visible V-cavity area of the slopes of one radius with |phi| above pi - psi. The weights of x
 /// and -x sum to twice cos t, so that all of one radius together are as visible as from above.
 double v_cavity_mass(double cosine, double sine, const StretchedSlope& s, double psi) {
@@ -23,6 +19,17 @@ double v_cavity_mass(double cosine, double sine, const StretchedSlope& s, double
   if (psi <= psi1) return 2 * vertical * psi;
   return 2 * vertical * psi1 + vertical * (psi - psi1) +
          horizontal * (std::sin(psi) - std::sin(psi1));
+}
+
+/// CDF of x on V-cavities, at sinh(a): the density min((c - x)+, 2 c) P(x) / c, integrated.
+double v_cavity_marginal(const precompute::UnitSlopes& slopes, const BoundedSlope<double>& c,
+                         double a) {
+  const double edge = std::log(c.sigma / c.complement), b = std::abs(a);
+  if (a <= -edge) return 2 * slopes.q(b);
+  if (a >= edge) return 1;
+  const double below = a < 0 ? slopes.q(b) : 1 - slopes.q(b);
+  if (std::isinf(edge)) return below;
+  return slopes.q(edge) + below + (slopes.m(b) - slopes.m(edge)) / c.slope();
 }
 
 }  // namespace
@@ -101,7 +108,7 @@ double azimuth_cdf(NormalLaw kind, double cosine, double sine, const StretchedSl
   return s.y > 0 ? share / 2 : 1 - share / 2;
 }
 
-ExactLaw::ExactLaw(const SlopeLaw& law, NormalLaw kind, const Configuration& configuration)
+ExactLaw::ExactLaw(const SlopeLaw& law, NormalLaw kind, const Configuration& configuration, Use use)
     : law_(law),
       kind_(kind),
       configuration_(configuration),
@@ -111,12 +118,18 @@ ExactLaw::ExactLaw(const SlopeLaw& law, NormalLaw kind, const Configuration& con
       area_(kind == NormalLaw::visible_smith
                 ? law.visible_area(configuration.wi, configuration.alpha)
                 : configuration.wi.z),
-      own_radii_(kind == NormalLaw::visible_smith
+      own_radii_(kind == NormalLaw::visible_smith && use == Use::many
                      ? std::make_unique<RadialLaw>(law.slopes(), frame_.cotangent())
                      : nullptr),
-      radii_(own_radii_ ? own_radii_.get() : &law.all_radii()),
       visible_(law.slopes(), kind == NormalLaw::visible_smith ? frame_.cotangent()
                                                               : bounded_cotangent(1.0, 0.0)) {}
+
+Probability<double> ExactLaw::radius_cdf(const StretchedSlope& s) const {
+  const double a = std::asinh(s.horizontal() / s.w);
+  if (own_radii_) return own_radii_->cdf(a);
+  if (kind_ != NormalLaw::visible_smith) return law_.all_radii().cdf(a);
+  return radial_cdf(law_.slopes(), law_.all_radii(), frame_.cotangent(), a);
+}
 
 double ExactLaw::azimuth_cdf(const StretchedSlope& s) const {
   return validate::azimuth_cdf(kind_, cosine_, sine_, s);
@@ -124,16 +137,17 @@ double ExactLaw::azimuth_cdf(const StretchedSlope& s) const {
 
 double ExactLaw::marginal_cdf(const StretchedSlope& s) const {
   const double a = s.x == 0 ? 0 : std::asinh(s.x / s.w);
+  if (kind_ == NormalLaw::visible_v_cavity)
+    return v_cavity_marginal(law_.slopes(), frame_.cotangent(), a);
   return visible_.cdf(std::min(a, visible_.farthest())).u;
 }
 
 Uniforms ExactLaw::uniforms(const Vec3<double>& wm, double v) const {
   const StretchedSlope s = frame_.slope_of(wm);
-  if (wm.z >= kSmallestHeight)
-    return {radius_cdf(*radii_, s.horizontal(), s.w).u, azimuth_cdf(s), marginal_cdf(s)};
+  if (wm.z >= kSmallestHeight) return {radius_cdf(s).u, azimuth_cdf(s), marginal_cdf(s)};
   // The tails of r and, on the side that is seen, of x are powers of the same radius.
   const StretchedSlope edge{s.x, s.y, kSmallestHeight};
-  const double tail = radius_cdf(*radii_, edge.horizontal(), edge.w).complement;
+  const double tail = radius_cdf(edge).complement;
   const double u = marginal_cdf(edge);
   return {1 - tail * v, azimuth_cdf(edge), s.x < 0 ? u * v : 1 - (1 - u) * v};
 }

@@ -84,13 +84,19 @@ struct Uniforms {
 /// where beyond it a slope lies cannot be carried. The twofold of the smallest normal number.
 inline constexpr double kSmallestHeight = 2 * 0x1p-126;
 
+/// For how many normals of one configuration a law is made.
+enum class Use {
+  many,  ///< the law of the radius is tabulated first, some milliseconds
+  few    ///< each radius is an integral of its own, some 10 microseconds
+};
+
 class ExactLaw {
  public:
-  /// `law` must outlive this object. Some milliseconds.
-  ExactLaw(const SlopeLaw& law, NormalLaw kind, const Configuration& configuration);
+  /// `law` must outlive this object.
+  ExactLaw(const SlopeLaw& law, NormalLaw kind, const Configuration& configuration,
+           Use use = Use::many);
 
   const StretchedFrame& frame() const { return frame_; }
-  const RadialLaw& radii() const { return *radii_; }
 
   /// The transform of a unit normal, wm.z >= 0. A normal lower than kSmallestHeight is known to lie
   /// beyond a slope and no more: `v`, a uniform random number, places it in the mass that the law
@@ -105,6 +111,7 @@ class ExactLaw {
   double facing_pdf(const Vec3<double>& wm) const;
 
  private:
+  Probability<double> radius_cdf(const StretchedSlope& s) const;
   double azimuth_cdf(const StretchedSlope& s) const;
   double marginal_cdf(const StretchedSlope& s) const;
 
@@ -113,8 +120,7 @@ class ExactLaw {
   Configuration configuration_;
   StretchedFrame frame_;
   double cosine_, sine_, area_;
-  std::unique_ptr<const RadialLaw> own_radii_;  // where the law of the radius depends on wi
-  const RadialLaw* radii_;
+  std::unique_ptr<const RadialLaw> own_radii_;
   precompute::VisibleSlopes visible_;
 };
 

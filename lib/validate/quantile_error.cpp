@@ -5,20 +5,18 @@
 #include <cmath>
 #include <numbers>
 
-#include "precompute/conditional_slopes.h"
 #include "precompute/visible_slopes.h"
+#include "validate/conditional_law.h"
 
 namespace vndf::validate {
 namespace {
 
-using precompute::ConditionalSlopes;
 using precompute::VisibleSlopes;
 
 constexpr const char* kStage = "map";
-constexpr int kTailPlaces = 60;         // per tail, logarithmic
-constexpr double kSmallestU = 1e-9;     // towards 0; towards 1 single precision ends at 2^-24
-constexpr int kTailBits = 20;           // the mass 2^-20 of whose tails the ratio is judged
-constexpr double kSmallestMass = 1e-7;  // of the slopes x at which the conditional is judged
+constexpr int kTailPlaces = 60;      // per tail, logarithmic
+constexpr double kSmallestU = 1e-9;  // towards 0; towards 1 single precision ends at 2^-24
+constexpr int kTailBits = 20;        // the mass 2^-20 of whose tails the ratio is judged
 constexpr int kHalvings = 24;
 
 double golden(std::size_t k) {
@@ -136,22 +134,13 @@ class Row {
   void judge_conditional(double u1, const std::vector<double>& list) {
     const auto& slopes = subject_.law->slopes();
     const StretchedSlope middle = slope(u1, 0.5);
-    const double x = std::abs(middle.x / middle.w);
-    if (!carried(middle) || !std::isfinite(x) || slopes.m(std::asinh(x)) < kSmallestMass ||
-        !ConditionalSlopes::reachable(slopes, x))
-      return;
-    const ConditionalSlopes conditional(slopes, x);
-    const double support = slopes.support();
-    const double scale =
-        std::isinf(support) ? std::hypot(1, x) : std::sqrt((support - x) * (support + x));
+    const double x = middle.x / middle.w;
+    if (!carried(middle) || !ConditionalLaw::judged(slopes, x)) return;
+    const ConditionalLaw conditional(slopes, x);
     for (const double u2 : list) {
       const StretchedSlope s = slope(u1, u2);
       if (!carried(s)) continue;
-      double y = std::abs(s.y / s.w) / scale;
-      if (std::isfinite(support)) y = std::min(y, 1.0);
-      const double half = conditional.cdf(y).complement / 2;
-      const Probability<double> cdf =
-          s.y < 0 ? Probability<double>{half, 1 - half} : Probability<double>{1 - half, half};
+      const auto cdf = conditional.cdf(s.y / s.w);
       errors_.conditional.see(std::abs(u_error(cdf, u2)), place_of(configuration_, u1, u2));
     }
   }
