@@ -7,6 +7,7 @@
 #include "precompute/visible_slopes.h"
 #include "precompute/words.h"
 #include "validate/conditional_law.h"
+#include "validate/even_points.h"
 #include "validate/law_test.h"
 
 namespace vndf::validate {
@@ -27,11 +28,7 @@ Difference compare(const Subject& subject, const Configuration& c, std::size_t p
   const ExactLaw law(*subject.law, subject.claims.law, c);
   Difference worst;
   for (std::size_t k = 0; k < points; ++k) {
-    const auto part = [k](double ratio) {
-      const double x = static_cast<double>(k) * ratio + 0.5;
-      return to_single(x - std::floor(x));
-    };
-    const double u1 = part(0.7548776662466927), u2 = part(0.5698402909980532);
+    const auto [u1, u2] = even_point(k);
     const Vec3<double> exact = exact_normal(*subject.law, c, u1, u2);
     const Vec3<double> given = subject.sample_one(c, u1, u2);
     if (given.z < kSmallestHeight || exact.z < kSmallestHeight) continue;
@@ -60,7 +57,8 @@ Vec3<double> exact_normal(const SlopeLaw& law, const Configuration& c, double u1
 
 std::vector<Finding> cross_validate(const Subject& subject, std::size_t points,
                                     const precompute::Workers& workers) {
-  const auto& list = law_configurations();
+  auto list = law_configurations();
+  std::erase_if(list, [&](const Configuration& c) { return !subject.claims.map_at(c); });
   std::vector<Difference> each(list.size());
   precompute::parallel_for(list.size(), workers,
                            [&](std::size_t i) { each[i] = compare(subject, list[i], points); });

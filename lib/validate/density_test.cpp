@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "validate/density_distance.h"
+#include "validate/even_points.h"
 #include "validate/law_test.h"
 #include "validate/normal_quadrature.h"
 
@@ -15,17 +15,6 @@ namespace {
 constexpr const char* kStage = "density";
 constexpr std::size_t kNormals = 2000;     // sampled normals of each configuration
 constexpr std::size_t kDerivatives = 300;  // places of the map's derivative
-
-double golden(std::size_t k, double ratio) {
-  // From 0.3 on: the pole, where p22 may be singular, is not among the points.
-  const double x = static_cast<double>(k) * ratio + 0.3;
-  return x - std::floor(x);
-}
-
-/// Points that fill the unit square evenly (Roberts 2018), as single-precision numbers.
-Pair square_point(std::size_t k) {
-  return {to_single(golden(k, 0.7548776662466927)), to_single(golden(k, 0.5698402909980532))};
-}
 
 struct DensityErrors {
   Worst integral, pdf, d, lambda, g1, jacobian;
@@ -40,7 +29,7 @@ class DensityJudge {
     judge_integral();
     judge_normals();
     judge_shadowing();
-    if (subject_.claims.inverse_map && subject_.sample_double) judge_derivative();
+    if (subject_.claims.map_at(c_) && subject_.sample_double) judge_derivative();
     return errors_;
   }
 
@@ -56,7 +45,7 @@ class DensityJudge {
 
   void judge_normals() {
     std::vector<Pair> u(kNormals);
-    for (std::size_t k = 0; k < kNormals; ++k) u[k] = square_point(k);
+    for (std::size_t k = 0; k < kNormals; ++k) u[k] = even_point(k);
     std::vector<Vec3<double>> wm(kNormals);
     std::vector<double> pdf(kNormals), d(kNormals);
     subject_.sample(c_, u, wm);
@@ -92,7 +81,7 @@ class DensityJudge {
   /// 1 / |d(slope) / d(u1, u2)| by central differences against the pdf.
   void judge_derivative() {
     for (std::size_t k = 0; k < kDerivatives; ++k) {
-      const Pair u = square_point(k);
+      const Pair u = even_point(k);
       const double h1 = 1e-4 * std::min(u.x, 1 - u.x), h2 = 1e-4 * std::min(u.y, 1 - u.y);
       const auto [x1, y1] = slope(u.x - h1, u.y);
       const auto [x2, y2] = slope(u.x + h1, u.y);

@@ -17,8 +17,9 @@ double v_cavity_mass(double cosine, double sine, const StretchedSlope& s, double
   if (vertical >= horizontal) return vertical * psi + horizontal * std::sin(psi);
   const double psi1 = std::acos(vertical / horizontal);  // up to here -x > c: weight 2 cos t
   if (psi <= psi1) return 2 * vertical * psi;
-  return 2 * vertical * psi1 + vertical * (psi - psi1) +
-         horizontal * (std::sin(psi) - std::sin(psi1));
+  const double seen = std::min(psi, kPi - psi1);  // from there on x > c
+  return 2 * vertical * psi1 + vertical * (seen - psi1) +
+         horizontal * (std::sin(seen) - std::sin(psi1));
 }
 
 /// CDF of x on V-cavities, at sinh(a): the density min((c - x)+, 2 c) P(x) / c, integrated.

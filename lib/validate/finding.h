@@ -1,9 +1,11 @@
 // What a stage of the judge has to say: one statistic, its bound, and the place where it is worst.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "validate/configuration.h"
 
@@ -16,7 +18,7 @@ enum class Kind {
 };
 
 struct Finding {
-  std::string stage, statistic;
+  std::string stage = {}, statistic = {};
   Kind kind = Kind::error;
   double measured = 0;
   double bound = 0;  ///< of a p-value: set for the whole run by the judge
@@ -27,6 +29,10 @@ struct Finding {
   /// False for a measurement that is not a number.
   bool passed() const { return kind == Kind::error ? measured <= bound : measured >= bound; }
 };
+
+inline bool all_passed(const std::vector<Finding>& findings) {
+  return std::all_of(findings.begin(), findings.end(), [](const Finding& f) { return f.passed(); });
+}
 
 /// The largest of several errors and where it was; what is not a number is larger than any.
 struct Worst {

@@ -6,6 +6,7 @@
 
 #include "validate/cross_validation.h"
 #include "validate/density_test.h"
+#include "validate/even_law.h"
 #include "validate/furnace_test.h"
 #include "validate/hard_cases.h"
 #include "validate/law_test.h"
@@ -17,35 +18,24 @@ namespace {
 /// How much each stage does.
 struct Effort {
   QuantileOptions map;
-  std::size_t cross_points;
+  std::size_t cross_points, even_points;
   std::uint64_t samples;  // of each configuration
 };
 
 Effort effort(const JudgeOptions& o) {
   switch (o.thoroughness) {
     case Thoroughness::quick:
-      return {{.places = 150, .slopes = 3, .stride = 2, .workers = o.workers}, 20, 100000};
+      return {{.places = 150, .slopes = 3, .stride = 2, .workers = o.workers}, 20, 50000, 100000};
     case Thoroughness::standard:
-      return {{.workers = o.workers}, 200, 4000000};
+      return {{.workers = o.workers}, 200, 1000000, 4000000};
     default:
-      return {{.places = 4000, .slopes = 24, .workers = o.workers}, 2000, 62500000};
+      return {{.places = 4000, .slopes = 24, .workers = o.workers}, 2000, 8000000, 62500000};
   }
 }
 
 using Stage = std::function<std::vector<Finding>()>;
 
-bool all_passed(const std::vector<Finding>& findings) {
-  return std::all_of(findings.begin(), findings.end(), [](const Finding& f) { return f.passed(); });
-}
-
 }  // namespace
-
-void bound_probabilities(std::vector<Finding>& findings, double significance) {
-  std::size_t tests = 0;
-  for (const Finding& f : findings) tests += f.tests;
-  for (Finding& f : findings)
-    if (f.kind == Kind::probability) f.bound = sidak(significance, tests);
-}
 
 bool Verdict::passed() const {
   return all_passed(findings);
@@ -67,11 +57,15 @@ Verdict judge(const Subject& subject, const JudgeOptions& options) {
     stages.push_back([&] { return measure_quantile_error(subject, effort.map); });
   stages.push_back([&] { return test_density(subject, options.workers); });
   stages.push_back([&] { return test_furnace(subject, options.workers); });
+  stages.push_back([&] { return measure_even_law(subject, effort.even_points, options.workers); });
   if (subject.claims.inverse_map)
     stages.push_back([&] { return cross_validate(subject, effort.cross_points, options.workers); });
   stages.push_back([&] {
-    auto findings = test_law(subject, {effort.samples, options.seed, options.workers});
-    bound_probabilities(findings, significance);
+    auto findings = test_law(subject, {.samples = effort.samples,
+                                       .seed = options.seed,
+                                       .significance = significance,
+                                       .stop_at_first_failure = options.stop_at_first_failure,
+                                       .workers = options.workers});
     verdict.samples = effort.samples * law_configurations().size();
     const double count = static_cast<double>(effort.samples);
     verdict.visible_u_error = visible_u_error(count, findings.front().bound);

@@ -44,7 +44,4 @@ struct Verdict {
 
 Verdict judge(const Subject& subject, const JudgeOptions& options = {});
 
-/// Gives each p-value its bound: Sidak's correction over the tests of all `findings`.
-void bound_probabilities(std::vector<Finding>& findings, double significance);
-
 }  // namespace vndf::validate

@@ -7,6 +7,7 @@
 
 #include "precompute/parallel.h"
 #include "validate/finding.h"
+#include "validate/significance.h"
 #include "validate/subject.h"
 
 namespace vndf::validate {
@@ -17,13 +18,17 @@ struct LawTestOptions {
   std::uint64_t samples = 2000000;
   /// Every random number follows from it, whatever the number of threads.
   std::uint64_t seed = 1;
+  /// Probability that a correct sampler fails any of the tests; Sidak's correction is made here.
+  double significance = kRunSignificance;
+  /// Leave out the configurations after one that fails.
+  bool stop_at_first_failure = false;
   precompute::Workers workers = {};
 };
 
 /// Configurations at which laws are counted: pole to horizon, smooth to rough, anisotropy to 1:500.
 const std::vector<Configuration>& law_configurations();
 
-/// p-values, the smallest over all configurations; their bounds are for the judge to set.
+/// p-values, the smallest over all configurations, with their bounds.
 std::vector<Finding> test_law(const Subject& subject, const LawTestOptions& options);
 
 }  // namespace vndf::validate

@@ -26,6 +26,8 @@ struct QuantileOptions {
 /// single-precision random numbers: the rounding of the normal.
 inline constexpr double kStep = 4e-6;
 
+/// u-errors of both slopes, with u within [2^-20, 1 - 2^-20] and in the tails beyond; the mass of
+/// the tails; order and continuity.
 std::vector<Finding> measure_quantile_error(const Subject& subject, const QuantileOptions& options);
 
 /// Configurations at which maps are judged, azimuths along the axes and roughness 1 unless said:

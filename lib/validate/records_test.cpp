@@ -7,6 +7,7 @@
 #include <map>
 #include <random>
 #include <stdexcept>
+#include <utility>
 
 #include "validate/conditional_law.h"
 #include "validate/density_distance.h"
@@ -76,7 +77,7 @@ class RecordJudge {
     };
     if (claims_map()) add(judge_map());
     auto laws = judge_law();
-    bound_probabilities(laws, kRunSignificance);
+    bound_probabilities(laws, kRunSignificance, number_of_tests(laws));
     add(laws);
     const auto count = static_cast<double>(records_.list.size());
     verdict.samples = records_.list.size();
@@ -183,8 +184,7 @@ class RecordJudge {
     std::vector<Finding> parts;
     for (const auto& [key, group] : groups) {
       if (group.size() < kFewestInGroup) continue;
-      merge_findings(parts, count(group).findings(options_.declared, "law, part",
-                                                  place_of_group(records_, group)));
+      merge_findings(parts, judge_group(group, "law, part", place_of_group(records_, group)));
     }
     if (groups.size() == 1) {
       for (Finding& f : parts) f.stage = "law";
@@ -192,15 +192,64 @@ class RecordJudge {
     }
     Indices all(records_.list.size());
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-    auto findings = count(all).findings(options_.declared, "law", {});
+    auto findings = judge_group(all, "law", {});
     findings.insert(findings.begin(), parts.begin(), parts.end());
     return findings;
   }
 
-  UniformCounts count(const Indices& group) const {
+  std::vector<Finding> judge_group(const Indices& group, const std::string& stage,
+                                   const Place& where) const {
     UniformCounts counts(bins_for(group.size()));
     for (const std::size_t i : group) counts.add(uniforms_[i]);
-    return counts;
+    auto findings = counts.findings(options_.declared, stage, where);
+    const auto radius = [](const Uniforms& w) { return w.r; };
+    const auto azimuth = [](const Uniforms& w) { return w.phi; };
+    const auto add = [&](const std::string& name, auto variable, auto given) {
+      if (auto f = judge_dependence(group, variable, given)) {
+        f->stage = stage;
+        f->statistic = name;
+        f->where = where;
+        findings.push_back(*f);
+      }
+    };
+    const auto theta = [](const Configuration& c) { return c.theta(); };
+    const auto phi = [](const Configuration& c) { return std::atan2(c.wi.y, c.wi.x); };
+    const auto stretch = [](const Configuration& c) { return std::log(c.alpha.x / c.alpha.y); };
+    add("radius given theta", radius, theta);
+    add("radius given phi of wi", radius, phi);
+    add("radius given ax / ay", radius, stretch);
+    add("azimuth given theta", azimuth, theta);
+    add("azimuth given phi of wi", azimuth, phi);
+    add("azimuth given ax / ay", azimuth, stretch);
+    return findings;
+  }
+
+  /// Uniform numbers must not depend on the configuration either. A mistake in a fixed frame, such
+  /// as an azimuth that stops short, is even again when wi is at all azimuths: so the records are
+  /// put in rows of equal size by a property of theirs, and each row is counted by itself. Nothing
+  /// where the records are too few, or all alike.
+  template <class Variable, class Given>
+  std::optional<Finding> judge_dependence(const Indices& group, Variable variable,
+                                          Given given) const {
+    constexpr std::size_t kRows = 8, kFewestColumns = 5;
+    const std::size_t columns = std::min(kSideR, bins_for(group.size() / kRows).line);
+    if (group.size() < kRows * kFewestInGroup || columns < kFewestColumns) return {};
+    std::vector<std::pair<double, double>> pairs;  // the property and the uniform number
+    for (const std::size_t i : group)
+      pairs.emplace_back(given(records_.list[i].configuration), variable(uniforms_[i]));
+    std::sort(pairs.begin(), pairs.end(),
+              [](const auto& a, const auto& b) { return a.first < b.first; });
+    if (pairs.front().first == pairs.back().first) return {};
+    double statistic = 0;
+    for (std::size_t row = 0; row < kRows; ++row) {
+      LineCounts counts(columns);
+      const std::size_t end = (row + 1) * pairs.size() / kRows;
+      for (std::size_t k = row * pairs.size() / kRows; k < end; ++k) counts.add(pairs[k].second);
+      statistic += counts.pearson();
+    }
+    const double p = chi_square_p(statistic, kRows * (columns - 1) + 1,
+                                  static_cast<double>(group.size()), options_.declared.density);
+    return Finding{.kind = Kind::probability, .measured = p, .tests = 1};
   }
 
   const Records& records_;

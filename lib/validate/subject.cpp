@@ -14,12 +14,13 @@ constexpr double kOtherPlaces = 1.25;
 /// Rounding of a single-precision normal in u, and of the functions (Bounds::function_error).
 constexpr double kRoundingUError = 1e-6;
 
+/// Largest |sampled / exact mass - 1|, of the ratio either way.
 double farthest_ratio(const Certificate& c) {
   double farthest = 0;
   for (const TableErrors* table : {&c.marginal, &c.conditional})
     for (const TailRatios* r : {&table->lower, &table->upper})
       for (const double ratio : {r->e4, r->e5, r->e6})
-        farthest = std::max(farthest, std::abs(ratio - 1));
+        farthest = std::max({farthest, ratio - 1, 1 / ratio - 1});
   return farthest;
 }
 

@@ -2,6 +2,7 @@
 // batch of samples so that the indirection costs nothing, and what it claims.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <span>
@@ -39,6 +40,14 @@ struct Claims {
   /// Whether sample() is the monotone inverse of the law in (u1, u2): slope x at u1, then slope y
   /// given x at u2, both increasing in the frame of the stretched incident direction.
   bool inverse_map = false;
+  /// Angle of the stretched incident direction, in degrees, from which it is that: published
+  /// samplers take polar coordinates instead near normal incidence.
+  double map_from = 0;
+
+  bool map_at(const Configuration& c) const {
+    const double horizontal = std::hypot(c.alpha.x * c.wi.x, c.alpha.y * c.wi.y);
+    return inverse_map && std::atan2(horizontal, c.wi.z) / kDegree >= map_from;
+  }
 };
 
 using Pair = Vec2<double>;  // (u1, u2)

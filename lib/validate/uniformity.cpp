@@ -91,21 +91,28 @@ void LineCounts::add(const LineCounts& other) {
   }
 }
 
-double LineCounts::chi_square(const DeclaredErrors& declared) const {
-  const auto n = static_cast<double>(samples_);
-  return chi_square_p(pearson(bins_, n), bins_.size(), n, declared.density);
+double LineCounts::pearson() const {
+  return validate::pearson(bins_, static_cast<double>(samples_));
 }
 
-double LineCounts::cumulative(const DeclaredErrors& declared, double& distance) const {
+double LineCounts::chi_square(const DeclaredErrors& declared) const {
+  return chi_square_p(pearson(), bins_.size(), static_cast<double>(samples_), declared.density);
+}
+
+double LineCounts::distance() const {
   const auto n = static_cast<double>(samples_), bins = static_cast<double>(bins_.size());
   std::uint64_t below = 0;
-  distance = 0;
+  double largest = 0;
   for (std::size_t k = 0; k < bins_.size(); ++k) {
     below += bins_[k];
     const double exact = static_cast<double>(k + 1) / bins;
-    distance = std::max(distance, std::abs(static_cast<double>(below) / n - exact));
+    largest = std::max(largest, std::abs(static_cast<double>(below) / n - exact));
   }
-  return cumulative_p(distance, n, declared.u);
+  return largest;
+}
+
+double LineCounts::cumulative(const DeclaredErrors& declared) const {
+  return cumulative_p(distance(), static_cast<double>(samples_), declared.u);
 }
 
 std::size_t LineCounts::octaves() const {
@@ -170,10 +177,9 @@ std::vector<Finding> UniformCounts::findings(const DeclaredErrors& declared,
                                              const std::string& stage, const Place& where) const {
   std::vector<Finding> list;
   const auto line = [&](const LineCounts& counts, const std::string& name) {
-    double distance = 0, ratio = 1;
-    const double cumulative = counts.cumulative(declared, distance);
-    list.push_back(probability(stage, name + " cdf", cumulative, 1, where,
-                               "distance " + precompute::rounded_text(distance)));
+    double ratio = 1;
+    list.push_back(probability(stage, name + " cdf", counts.cumulative(declared), 1, where,
+                               "distance " + precompute::rounded_text(counts.distance())));
     list.push_back(probability(stage, name + " chi-square", counts.chi_square(declared), 1, where,
                                std::to_string(counts.samples()) + " samples"));
     if (counts.octaves() == 0) return;
@@ -187,6 +193,17 @@ std::vector<Finding> UniformCounts::findings(const DeclaredErrors& declared,
   list.push_back(probability(stage, "sphere chi-square", square_p(declared), 1, where,
                              std::to_string(square_.size()) + " cells"));
   return list;
+}
+
+std::size_t number_of_tests(const std::vector<Finding>& findings) {
+  std::size_t tests = 0;
+  for (const Finding& f : findings) tests += f.tests;
+  return tests;
+}
+
+void bound_probabilities(std::vector<Finding>& findings, double significance, std::size_t tests) {
+  for (Finding& f : findings)
+    if (f.kind == Kind::probability) f.bound = sidak(significance, tests);
 }
 
 void merge_findings(std::vector<Finding>& all, const std::vector<Finding>& more) {

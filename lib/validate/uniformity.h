@@ -36,10 +36,13 @@ class LineCounts {
   void add(double w);
   void add(const LineCounts& other);
 
-  /// p-value of Pearson's statistic over all bins.
+  /// Pearson's statistic over all bins, and its p-value.
+  double pearson() const;
   double chi_square(const DeclaredErrors& declared) const;
-  /// p-value of the largest distance between the CDFs, at the ends of bins.
-  double cumulative(const DeclaredErrors& declared, double& distance) const;
+  /// The largest distance between the exact and the empirical CDF, at the ends of bins.
+  double distance() const;
+  /// Its p-value.
+  double cumulative(const DeclaredErrors& declared) const;
 
   /// Octaves [2^-k-1, 2^-k) from kFirstOctave on in which at least kFewest samples are expected.
   std::size_t octaves() const;
@@ -76,6 +79,12 @@ class UniformCounts {
   LineCounts r_, phi_, x_;
   std::vector<std::uint64_t> square_;
 };
+
+/// Independent tests behind the p-values of `findings`.
+std::size_t number_of_tests(const std::vector<Finding>& findings);
+
+/// Gives each p-value its bound: Sidak's correction over `tests`.
+void bound_probabilities(std::vector<Finding>& findings, double significance, std::size_t tests);
 
 /// Keeps of every statistic in both lists the worse finding, and adds the numbers of tests.
 void merge_findings(std::vector<Finding>& all, const std::vector<Finding>& more);
