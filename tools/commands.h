@@ -15,5 +15,7 @@ void add_sample(CLI::App& app);
 void add_convert(CLI::App& app);
 void add_picture(CLI::App& app);
 void add_experiment(CLI::App& app);
+void add_validate(CLI::App& app);
+void add_check(CLI::App& app);
 
 }  // namespace vndf::tools

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -70,19 +71,21 @@ class TabulatedSampler {
   /// The marginal quantile at u1, in units of the mean slope; at most the slope `c`.
   BoundedSlope<T> sample_marginal(const BoundedSlope<T>& c,
                                   const Probability<T>& u1) const noexcept {
-    return from_order(sample_ordered_marginal(c, u1), tables_->tail_order);
+    const BoundedSlope<T> x = from_order(sample_ordered_marginal(c, u1), tables_->tail_order);
+    // The edge itself, not what its rounded sigma decodes to: that of a far edge may be infinite.
+    const BoundedSlope<T>& edge = farthest(c);
+    return x.sigma < edge.sigma ? x : edge;
   }
 
   /// The same at the order of the table, where it does not leave the range of T.
   BoundedSlope<T> sample_ordered_marginal(const BoundedSlope<T>& c,
                                           const Probability<T>& u1) const noexcept {
     const int order = tables_->tail_order;
-    const BoundedSlope<T>& farthest =
-        c.complement > bounded_support_.complement ? c : bounded_support_;
+    const BoundedSlope<T>& edge = farthest(c);
     const T row = marginal_rows_.row(marginal_base(c));
     const T w = tables_->marginal.lookup(row, marginal_column(u1));
-    const T sigma = marginal_map_.identity() ? farthest.sigma * w : marginal_map_.at(w);
-    return bounded_from_sigma(std::min(sigma, to_order(farthest, order).sigma));
+    const T sigma = marginal_map_.identity() ? edge.sigma * w : marginal_map_.at(w);
+    return bounded_from_sigma(std::min(sigma, to_order(edge, order).sigma));
   }
 
   /// The value v = 2 sigma - 1 of |y| / scale that a sampled |y| stays below with probability p:
@@ -99,7 +102,10 @@ class TabulatedSampler {
     const T hx = wm.x / a.x, hy = wm.y / a.y;
     const T horizontal = hx * hx + hy * hy;
     const T square = horizontal + wm.z * wm.z;
-    const T asinh_slope = std::log((std::sqrt(horizontal) + std::sqrt(square)) / wm.z);
+    // The quotient of a nearly horizontal normal may leave the range of T; D itself does not.
+    const T quotient =
+        std::min((std::sqrt(horizontal) + std::sqrt(square)) / wm.z, std::numeric_limits<T>::max());
+    const T asinh_slope = std::log(quotient);
     return log_ndf_.at(asinh_slope) / (a.x * a.y * square * square);
   }
 
@@ -126,6 +132,11 @@ class TabulatedSampler {
   }
 
  private:
+  /// The largest slope seen from cotangent `c`.
+  const BoundedSlope<T>& farthest(const BoundedSlope<T>& c) const {
+    return c.complement > bounded_support_.complement ? c : bounded_support_;
+  }
+
   /// Roughness in units in which the mean slope is 1.
   Alpha<T> normalized(const Alpha<T>& alpha) const {
     return {alpha.x * mean_slope_, alpha.y * mean_slope_};

@@ -1,0 +1,149 @@
+// A sampler under judgement, whatever its type: its functions behind std::function, called per
+// batch of samples so that the indirection costs nothing, and what it claims.
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "validate/exact_law.h"
+#include "validate/uniformity.h"
+#include "vndf/certificate.h"
+#include "vndf/normal_sampler.h"
+#include "vndf/slope_tables.h"
+
+namespace vndf::validate {
+
+/// What a subject must keep to pass.
+struct Bounds {
+  /// |CDF(x(u)) - u|. A sampler without tables is to be right to 1e-5: ten times the rounding of a
+  /// single-precision normal, and below what 1e10 samples of it could show in an image.
+  double u_error = 1e-5;
+  /// |sampled / exact mass - 1| of a tail of 2^-20 (1e-6): four of whose single-precision random
+  /// numbers in a hundred are off by one rounding at the end u = 1.
+  double tail_error = 0.05;
+  /// Density of the map against the pdf, relative, by finite differences in double precision.
+  double density_error = 1e-3;
+  /// pdf, D (relative), Lambda (of 1 + Lambda) and G1 (relative), and all integrals of them. The
+  /// largest rounding is that of D of Beckmann at its rim, 3e-5.
+  double function_error = 1e-4;
+  /// What the law of the normals may differ from the exact one: nothing, for a sampler without
+  /// tables.
+  DeclaredErrors declared = {};
+};
+
+/// What a subject claims to be.
+struct Claims {
+  NormalLaw law = NormalLaw::visible_smith;
+  /// Whether sample() is the monotone inverse of the law in (u1, u2): slope x at u1, then slope y
+  /// given x at u2, both increasing in the frame of the stretched incident direction.
+  bool inverse_map = false;
+  /// Angle of the stretched incident direction, in degrees, from which it is that: published
+  /// samplers take polar coordinates instead near normal incidence.
+  double map_from = 0;
+
+  bool map_at(const Configuration& c) const {
+    const double horizontal = std::hypot(c.alpha.x * c.wi.x, c.alpha.y * c.wi.y);
+    return inverse_map && std::atan2(horizontal, c.wi.z) / kDegree >= map_from;
+  }
+};
+
+using Pair = Vec2<double>;  // (u1, u2)
+
+/// Directions and random numbers are given in double precision but are whole single-precision
+/// numbers, except to sample_double.
+struct Subject {
+  std::string name;
+  std::shared_ptr<const SlopeLaw> law;
+  Claims claims;
+  Bounds bounds;
+
+  std::function<void(const Configuration&, std::span<const Pair> u, std::span<Vec3<double>> wm)>
+      sample;
+  /// The same map in double precision; may be empty.
+  std::function<void(const Configuration&, std::span<const Pair> u, std::span<Vec3<double>> wm)>
+      sample_double;
+  std::function<void(const Configuration&, std::span<const Vec3<double>> wm, std::span<double> pdf)>
+      pdf;
+  std::function<void(const Alpha<double>&, std::span<const Vec3<double>> wm, std::span<double> d)>
+      d;
+  std::function<double(const Configuration&)> lambda, g1;
+
+  /// One normal.
+  Vec3<double> sample_one(const Configuration& c, double u1, double u2) const {
+    const Pair u{u1, u2};
+    Vec3<double> wm{};
+    sample(c, {&u, 1}, {&wm, 1});
+    return wm;
+  }
+};
+
+template <class T, class U>
+Vec3<T> vector_of(const Vec3<U>& v) {
+  return {static_cast<T>(v.x), static_cast<T>(v.y), static_cast<T>(v.z)};
+}
+template <class T>
+Alpha<T> alpha_of(const Alpha<double>& a) {
+  return {static_cast<T>(a.x), static_cast<T>(a.y)};
+}
+
+/// Calls `sampler`, of precision T, for a batch.
+template <class T, NormalSampler<T> S>
+auto batch_of(const S& sampler) {
+  return [sampler](const Configuration& c, std::span<const Pair> u, std::span<Vec3<double>> wm) {
+    const Vec3<T> wi = vector_of<T>(c.wi);
+    const Alpha<T> alpha = alpha_of<T>(c.alpha);
+    for (std::size_t k = 0; k < u.size(); ++k)
+      wm[k] = vector_of<double>(
+          sampler.sample(wi, alpha, static_cast<T>(u[k].x), static_cast<T>(u[k].y)));
+  };
+}
+
+/// A subject made of `sampler`, of precision T. Where its pdf is 0 for a law of all normals, or its
+/// g1 is that of another surface, `claims` says so.
+template <class T, NormalSampler<T> S>
+Subject make_subject(std::string name, std::shared_ptr<const SlopeLaw> law, const S& sampler,
+                     const Claims& claims, const Bounds& bounds = {}) {
+  Subject s{std::move(name), std::move(law), claims, bounds, {}, {}, {}, {}, {}, {}};
+  s.sample = batch_of<T>(sampler);
+  s.pdf = [sampler](const Configuration& c, std::span<const Vec3<double>> wm,
+                    std::span<double> pdf) {
+    for (std::size_t k = 0; k < wm.size(); ++k)
+      pdf[k] = static_cast<double>(
+          sampler.pdf(vector_of<T>(c.wi), vector_of<T>(wm[k]), alpha_of<T>(c.alpha)));
+  };
+  s.d = [sampler](const Alpha<double>& alpha, std::span<const Vec3<double>> wm,
+                  std::span<double> d) {
+    for (std::size_t k = 0; k < wm.size(); ++k)
+      d[k] = static_cast<double>(sampler.d(vector_of<T>(wm[k]), alpha_of<T>(alpha)));
+  };
+  s.lambda = [sampler](const Configuration& c) {
+    return static_cast<double>(sampler.lambda(vector_of<T>(c.wi), alpha_of<T>(c.alpha)));
+  };
+  s.g1 = [sampler](const Configuration& c) {
+    return static_cast<double>(sampler.g1(vector_of<T>(c.wi), alpha_of<T>(c.alpha)));
+  };
+  return s;
+}
+
+/// The same with its map in double precision too, for the derivatives.
+template <NormalSampler<float> S, NormalSampler<double> D>
+Subject make_subject(std::string name, std::shared_ptr<const SlopeLaw> law, const S& sampler,
+                     const D& in_double, const Claims& claims, const Bounds& bounds = {}) {
+  Subject s = make_subject<float>(std::move(name), std::move(law), sampler, claims, bounds);
+  s.sample_double = batch_of<double>(in_double);
+  return s;
+}
+
+/// The bounds of tables: their own certificate, measured at other places and so taken 1.25 times,
+/// and the rounding of a single-precision normal. `columns` of the larger table.
+Bounds bounds_of(const Certificate& certificate, std::size_t columns);
+
+/// Tables as a renderer runs them, in single precision.
+Subject tabulated_subject(std::string name, std::shared_ptr<const SlopeLaw> law,
+                          std::shared_ptr<const SlopeTables> tables,
+                          const Certificate& certificate);
+
+}  // namespace vndf::validate
