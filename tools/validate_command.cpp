@@ -10,7 +10,6 @@
 
 #include "commands.h"
 #include "judged.h"
-#include "precompute/distribution_spec.h"
 #include "validate/named_subjects.h"
 
 namespace vndf::tools {
@@ -28,12 +27,12 @@ struct ValidateArguments {
   std::string json;
 };
 
-/// Laws by specification, so that subjects of one law share it.
+/// Laws of the reference samplers, which those of one distribution share.
 class Laws {
  public:
-  std::shared_ptr<const SlopeLaw> of(const std::string& specification) {
-    auto& law = laws_[specification];
-    if (!law) law = std::make_shared<SlopeLaw>(precompute::parse_distribution(specification));
+  std::shared_ptr<const SlopeLaw> of(const validate::NamedSubject& subject) {
+    auto& law = laws_[subject.distribution];
+    if (!law) law = std::make_shared<SlopeLaw>(subject.make_distribution());
     return law;
   }
 
@@ -48,7 +47,7 @@ Subject subject_of(const std::string& argument, Laws& laws) {
                                        file.tables, file.certificate);
   }
   const auto& named = validate::find_subject(argument);
-  return named.make(named.name, laws.of(named.distribution));
+  return named.make(named.name, laws.of(named));
 }
 
 Thoroughness thoroughness(const ValidateArguments& a) {

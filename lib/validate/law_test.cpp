@@ -69,7 +69,7 @@ UniformCounts count(const Subject& subject, const Configuration& c, std::uint64_
 const std::vector<Configuration>& law_configurations() {
   static const std::vector<Configuration> list{at_angles(0, 0, 0.5, 0.5),
                                                at_angles(1e-3, 70, 1, 1),
-                                               at_angles(0.2, 0, 1, 1),
+                                               at_angles(0.25, 0, 1, 1),
                                                at_angles(10, 20, 0.1, 0.1),
                                                at_angles(30, 45, 2, 1),
                                                at_angles(45, 300, 0.001, 0.001),

@@ -7,10 +7,14 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <type_traits>
 
 #include "validate/exact_law.h"
 #include "validate/uniformity.h"
 #include "vndf/certificate.h"
+#include "vndf/conductor_brdf.h"
+#include "vndf/dielectric_bsdf.h"
+#include "vndf/masking.h"
 #include "vndf/normal_sampler.h"
 #include "vndf/slope_tables.h"
 
@@ -52,6 +56,9 @@ struct Claims {
 
 using Pair = Vec2<double>;  // (u1, u2)
 
+/// Refractive index of glass over that of air.
+inline constexpr double kGlassIndex = 1.5;
+
 /// Directions and random numbers are given in double precision but are whole single-precision
 /// numbers, except to sample_double.
 struct Subject {
@@ -70,6 +77,14 @@ struct Subject {
   std::function<void(const Alpha<double>&, std::span<const Vec3<double>> wm, std::span<double> d)>
       d;
   std::function<double(const Configuration&)> lambda, g1;
+  /// Masking and shadowing of a facet (masking.h), wi and wo on any side.
+  std::function<double(const Alpha<double>&, const Vec3<double>& wi, const Vec3<double>& wo,
+                       const Vec3<double>& wm)>
+      g2;
+  /// f(wi, wo) |wo.z| of a rough surface of facets that reflect everything, and of one of facets of
+  /// glass.
+  std::function<void(const Configuration&, std::span<const Vec3<double>> wo, std::span<double> f)>
+      mirror, glass;
 
   /// One normal.
   Vec3<double> sample_one(const Configuration& c, double u1, double u2) const {
@@ -101,12 +116,49 @@ auto batch_of(const S& sampler) {
   };
 }
 
+/// Evaluates `bsdf`, of precision T, for a batch.
+template <class T, class Bsdf>
+void evaluate_batch(const Bsdf& bsdf, const Configuration& c, std::span<const Vec3<double>> wo,
+                    std::span<double> f) {
+  for (std::size_t k = 0; k < wo.size(); ++k) {
+    const auto value = bsdf.evaluate(vector_of<T>(c.wi), vector_of<T>(wo[k]));
+    if constexpr (std::is_same_v<decltype(value), const T>)
+      f[k] = static_cast<double>(value);
+    else
+      f[k] = static_cast<double>(value[0]);
+  }
+}
+
+/// Gives `s` the BSDFs of the surface that `sampler` and the masking model M make.
+template <class T, class M, class S>
+void add_bsdfs(Subject& s, const S& sampler) {
+  s.g2 = [sampler](const Alpha<double>& alpha, const Vec3<double>& wi, const Vec3<double>& wo,
+                   const Vec3<double>& wm) {
+    return static_cast<double>(vndf::g2<M>(sampler, vector_of<T>(wi), vector_of<T>(wo),
+                                           vector_of<T>(wm), alpha_of<T>(alpha)));
+  };
+  s.mirror = [sampler](const Configuration& c, std::span<const Vec3<double>> wo,
+                       std::span<double> f) {
+    const ConductorBrdf<T, S, M, PerfectMirror<T>> brdf(sampler, alpha_of<T>(c.alpha), {});
+    evaluate_batch<T>(brdf, c, wo, f);
+  };
+  s.glass = [sampler](const Configuration& c, std::span<const Vec3<double>> wo,
+                      std::span<double> f) {
+    const DielectricBsdf<T, S, M> bsdf(sampler, alpha_of<T>(c.alpha), static_cast<T>(kGlassIndex));
+    evaluate_batch<T>(bsdf, c, wo, f);
+  };
+}
+
 /// A subject made of `sampler`, of precision T. Where its pdf is 0 for a law of all normals, or its
 /// g1 is that of another surface, `claims` says so.
 template <class T, NormalSampler<T> S>
 Subject make_subject(std::string name, std::shared_ptr<const SlopeLaw> law, const S& sampler,
                      const Claims& claims, const Bounds& bounds = {}) {
-  Subject s{std::move(name), std::move(law), claims, bounds, {}, {}, {}, {}, {}, {}};
+  Subject s;
+  s.name = std::move(name);
+  s.law = std::move(law);
+  s.claims = claims;
+  s.bounds = bounds;
   s.sample = batch_of<T>(sampler);
   s.pdf = [sampler](const Configuration& c, std::span<const Vec3<double>> wm,
                     std::span<double> pdf) {
@@ -125,6 +177,10 @@ Subject make_subject(std::string name, std::shared_ptr<const SlopeLaw> law, cons
   s.g1 = [sampler](const Configuration& c) {
     return static_cast<double>(sampler.g1(vector_of<T>(c.wi), alpha_of<T>(c.alpha)));
   };
+  if (claims.law == NormalLaw::visible_v_cavity)
+    add_bsdfs<T, VCavityMasking>(s, sampler);
+  else
+    add_bsdfs<T, SmithCorrelated>(s, sampler);
   return s;
 }
 
