@@ -8,7 +8,7 @@
 
 #include "catch.h"
 #include "judged_samplers.h"
-#include "validate/records_test.h"
+#include "validate/judge_records.h"
 
 using namespace vndf;
 using namespace vndf::validate;

@@ -9,8 +9,8 @@
 #include "commands.h"
 #include "judged.h"
 #include "precompute/distribution_spec.h"
+#include "validate/judge_records.h"
 #include "validate/records.h"
-#include "validate/records_test.h"
 #include "validate/subject.h"
 
 namespace vndf::tools {

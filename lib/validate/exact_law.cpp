@@ -93,22 +93,6 @@ double StretchedFrame::jacobian(const Vec3<double>& wm) const {
   return ax_ * ay_ * wm.z * wm.z * wm.z;
 }
 
-double azimuth_cdf(NormalLaw kind, double cosine, double sine, const StretchedSlope& s) {
-  const double psi = std::atan2(std::abs(s.y), -s.x);
-  const double h = s.horizontal();
-  double share = psi / kPi;
-  if (kind == NormalLaw::visible_v_cavity) {
-    const double whole = v_cavity_mass(cosine, sine, s, kPi);
-    if (whole > 0) share = v_cavity_mass(cosine, sine, s, psi) / whole;
-  } else if (kind == NormalLaw::visible_smith) {
-    const AngularMass mass = angular_mass(cosine, sine, h, s.w);
-    const double inside = std::min(psi, kPi - mass.phi0);
-    if (mass.half > 0) share = (cosine * s.w * inside + sine * h * std::sin(inside)) / mass.half;
-  }
-  share = std::clamp(share, 0.0, 1.0);
-  return s.y > 0 ? share / 2 : 1 - share / 2;
-}
-
 ExactLaw::ExactLaw(const SlopeLaw& law, NormalLaw kind, const Configuration& configuration, Use use)
     : law_(law),
       kind_(kind),
@@ -133,7 +117,19 @@ Probability<double> ExactLaw::radius_cdf(const StretchedSlope& s) const {
 }
 
 double ExactLaw::azimuth_cdf(const StretchedSlope& s) const {
-  return validate::azimuth_cdf(kind_, cosine_, sine_, s);
+  const double psi = std::atan2(std::abs(s.y), -s.x);
+  const double h = s.horizontal();
+  double share = psi / kPi;
+  if (kind_ == NormalLaw::visible_v_cavity) {
+    const double whole = v_cavity_mass(cosine_, sine_, s, kPi);
+    if (whole > 0) share = v_cavity_mass(cosine_, sine_, s, psi) / whole;
+  } else if (kind_ == NormalLaw::visible_smith) {
+    const AngularMass mass = angular_mass(cosine_, sine_, h, s.w);
+    const double inside = std::min(psi, kPi - mass.phi0);
+    if (mass.half > 0) share = (cosine_ * s.w * inside + sine_ * h * std::sin(inside)) / mass.half;
+  }
+  share = std::clamp(share, 0.0, 1.0);
+  return s.y > 0 ? share / 2 : 1 - share / 2;
 }
 
 double ExactLaw::marginal_cdf(const StretchedSlope& s) const {

@@ -124,7 +124,4 @@ class ExactLaw {
   precompute::VisibleSlopes visible_;
 };
 
-/// w_phi of a slope that is seen under (cosine, sine) of the stretched incidence.
-double azimuth_cdf(NormalLaw kind, double cosine, double sine, const StretchedSlope& s);
-
 }  // namespace vndf::validate

@@ -47,7 +47,7 @@ double binomial_p(std::uint64_t seen, std::uint64_t count, double expected, doub
     return boost::math::binomial(n, std::clamp(expected * factor, 0.0, 1.0));
   };
   // Too few are judged by the smallest probability that is declared, too many by the largest.
-  const double few = cdf(law(1 - declared), k);
+  const double few = cdf(law(1 / (1 + declared)), k);
   const double many = seen == 0 ? 1 : cdf(complement(law(1 + declared), k - 1));
   return std::min(1.0, 2 * std::min(few, many));
 }

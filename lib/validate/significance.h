@@ -22,7 +22,7 @@ double sidak(double significance, std::size_t tests);
 double chi_square_p(double statistic, std::size_t bins, double count, double declared);
 
 /// Two-sided p-value of `seen` of `count` samples in a bin whose probability is `expected` times a
-/// factor that is unknown within [1 - declared, 1 + declared]: exact binomial, 1 at most.
+/// factor that is unknown within [1 / (1 + declared), 1 + declared]: exact binomial, 1 at most.
 double binomial_p(std::uint64_t seen, std::uint64_t count, double expected, double declared);
 
 /// p-value of a largest distance `distance` between a CDF and the empirical one of `count` samples,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "vndf/tabulated_sampler.h"
@@ -14,14 +15,19 @@ constexpr double kOtherPlaces = 1.25;
 /// Rounding of a single-precision normal in u, and of the functions (Bounds::function_error).
 constexpr double kRoundingUError = 1e-6;
 
-/// Largest |sampled / exact mass - 1|, of the ratio either way.
+/// Certificates give tail mass ratios up to this, either way: it stands for any larger one too.
+constexpr double kLargestRatio = 8;
+
+/// Largest |sampled / exact mass - 1|, of the ratio either way; infinite where it is not known.
 double farthest_ratio(const Certificate& c) {
-  double farthest = 0;
+  double farthest = 1;
   for (const TableErrors* table : {&c.marginal, &c.conditional})
     for (const TailRatios* r : {&table->lower, &table->upper})
       for (const double ratio : {r->e4, r->e5, r->e6})
-        farthest = std::max({farthest, ratio - 1, 1 / ratio - 1});
-  return farthest;
+        farthest = std::max({farthest, ratio, 1 / ratio});
+  constexpr double kAtTheEnd = 0.999;
+  return farthest < kAtTheEnd * kLargestRatio ? farthest - 1
+                                              : std::numeric_limits<double>::infinity();
 }
 
 /// Root mean square of the density error that errors of `u_error` in u make: interpolation errors

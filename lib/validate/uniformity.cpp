@@ -45,7 +45,7 @@ double pearson(const std::vector<std::uint64_t>& counts, double samples) {
 /// from that of the density in the middle to that of the tail at 1e-6, and on.
 double declared_at(const DeclaredErrors& declared, double e) {
   const double depth = std::log(e) / std::log(1e-6);
-  return std::min(0.99, declared.density + declared.tail * depth);
+  return declared.density + declared.tail * depth;
 }
 
 Finding probability(const std::string& stage, const std::string& statistic, double p,

@@ -20,7 +20,7 @@ inline constexpr std::size_t kBins = 10007, kSideR = 101, kSidePhi = 103;
 struct DeclaredErrors {
   double u = 0;        ///< of the CDF
   double density = 0;  ///< relative, of the density
-  double tail = 0;     ///< relative, of the mass of a tail of 1e-6
+  double tail = 0;     ///< relative, of the mass of a tail of 1e-6, either way
 };
 
 /// How many bins the numbers of samples can fill with at least 5 each.

@@ -1,5 +1,5 @@
 // The judge on records.
-#include "validate/records_test.h"
+#include "validate/judge_records.h"
 
 #include <algorithm>
 #include <array>
