@@ -72,6 +72,24 @@ TEST_CASE("the derivative of w_x is the marginal density, weighted by what is se
   }
 }
 
+TEST_CASE("the law at the horizon is the limit of those just above it") {
+  const auto law = law_of("beckmann");
+  const Configuration at = at_angles(90, 0, 0.5, 0.5), above{{1, 0, 1e-12}, at.alpha};
+  for (const NormalLaw kind : kKinds) {
+    const ExactLaw limit(*law, kind, at), near(*law, kind, above);
+    for (const double x : {-0.01, -0.7, -2.0})
+      for (const double y : {-1.5, -0.2, 0.0, 0.4, 3.0}) {
+        const Vec3<double> wm = limit.frame().normal_of({x, y, 1});
+        const Uniforms a = limit.uniforms(wm, 0.5), b = near.uniforms(wm, 0.5);
+        CAPTURE(static_cast<int>(kind), x, y);
+        CHECK(a.r == Approx(b.r).margin(1e-8));
+        CHECK(a.phi == Approx(b.phi).margin(1e-8));
+        CHECK(a.x == Approx(b.x).margin(1e-8));
+        CHECK(limit.pdf(wm) == Approx(near.pdf(wm)).epsilon(1e-8));
+      }
+  }
+}
+
 TEST_CASE("Lambda, G1 and D agree with the closed forms of GGX") {
   const auto law = law_of("ggx");
   const ClosedFunctions<double, GgxForms> closed;

@@ -44,9 +44,9 @@ Bsdf brighter(const Bsdf& bsdf, double factor) {
 }  // namespace
 
 TEST_CASE("a surface of Smith and one of V-cavities conserve area and energy") {
-  using Cavity = VCavity<float, GgxNdf<float>>;
-  const Subject cavities = make_subject<float>("cavities", law_of("ggx"), Cavity{},
-                                               {.law = NormalLaw::visible_v_cavity});
+  const Subject cavities =
+      make_subject("cavities", law_of("ggx"), VCavity<float, GgxNdf<float>>{},
+                   VCavity<double, GgxNdf<double>>{}, {.law = NormalLaw::visible_v_cavity});
   for (const Subject& subject : {caps(), cavities})
     for (const Finding& f : test_furnace(subject, {})) {
       CAPTURE(subject.name, f.statistic, f.measured, f.bound, f.where.theta);

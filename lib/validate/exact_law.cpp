@@ -10,16 +10,21 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Visible V-cavity area of the slopes of one radius with |phi| above pi - psi. The weights of x
-/// and -x sum to twice cos t, so that all of one radius together are as visible as from above.
+/// Visible V-cavity area of the slopes of one radius with |phi| above pi - psi, over cos t. The
+/// weights of x and -x sum to twice cos t, so that all of one radius together are as visible as
+/// from above: pi at psi = pi. Finite up to the horizon, where it is the weight 2 of the half that
+/// is seen.
 double v_cavity_mass(double cosine, double sine, const StretchedSlope& s, double psi) {
   const double vertical = cosine * s.w, horizontal = sine * s.horizontal();
-  if (vertical >= horizontal) return vertical * psi + horizontal * std::sin(psi);
-  const double psi1 = std::acos(vertical / horizontal);  // up to here -x > c: weight 2 cos t
-  if (psi <= psi1) return 2 * vertical * psi;
-  const double seen = std::min(psi, kPi - psi1);  // from there on x > c
-  return 2 * vertical * psi1 + vertical * (seen - psi1) +
-         horizontal * (std::sin(seen) - std::sin(psi1));
+  if (horizontal == 0) return psi;
+  if (vertical >= horizontal) return psi + horizontal / vertical * std::sin(psi);
+  const double rest = std::asin(vertical / horizontal), psi1 = kPi / 2 - rest;
+  if (psi <= psi1) return 2 * psi;  // here -x > c: weight 2 cos t
+  // From psi1 + 2 rest on x > c. Between, 1 + cos(psi) / sin(rest) is integrated.
+  const double seen = std::min(psi - psi1, 2 * rest);
+  const double tilt =
+      rest > 0 ? 2 * std::sin(rest - seen / 2) * std::sin(seen / 2) / std::sin(rest) : 0;
+  return 2 * psi1 + seen + tilt;
 }
 
 /// CDF of x on V-cavities, at sinh(a): the density min((c - x)+, 2 c) P(x) / c, integrated.
@@ -121,8 +126,7 @@ double ExactLaw::azimuth_cdf(const StretchedSlope& s) const {
   const double h = s.horizontal();
   double share = psi / kPi;
   if (kind_ == NormalLaw::visible_v_cavity) {
-    const double whole = v_cavity_mass(cosine_, sine_, s, kPi);
-    if (whole > 0) share = v_cavity_mass(cosine_, sine_, s, psi) / whole;
+    share = v_cavity_mass(cosine_, sine_, s, psi) / kPi;
   } else if (kind_ == NormalLaw::visible_smith) {
     const AngularMass mass = angular_mass(cosine_, sine_, h, s.w);
     const double inside = std::min(psi, kPi - mass.phi0);

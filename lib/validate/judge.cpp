@@ -57,7 +57,9 @@ Verdict judge(const Subject& subject, const JudgeOptions& options) {
     stages.push_back([&] { return measure_quantile_error(subject, effort.map); });
   stages.push_back([&] { return test_density(subject, options.workers); });
   stages.push_back([&] { return test_furnace(subject, options.workers); });
-  stages.push_back([&] { return measure_even_law(subject, effort.even_points, options.workers); });
+  if (subject.claims.smooth_map)
+    stages.push_back(
+        [&] { return measure_even_law(subject, effort.even_points, options.workers); });
   if (subject.claims.inverse_map)
     stages.push_back([&] { return cross_validate(subject, effort.cross_points, options.workers); });
   stages.push_back([&] {

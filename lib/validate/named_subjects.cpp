@@ -75,7 +75,7 @@ NamedSubject gtr_1_5() {
 
 std::vector<NamedSubject> all_subjects() {
   const Claims map{.inverse_map = true}, visible{}, all{.law = NormalLaw::all},
-      cavities{.law = NormalLaw::visible_v_cavity};
+      cavities{.law = NormalLaw::visible_v_cavity, .smooth_map = false};
   // Within its cone the sampler takes polar coordinates.
   const Claims map_outside_cone{
       .inverse_map = true, .map_from = std::acos(GgxAnalyticMethod::kNormalIncidence) / kDegree};

@@ -44,6 +44,9 @@ struct Claims {
   /// Whether sample() is the monotone inverse of the law in (u1, u2): slope x at u1, then slope y
   /// given x at u2, both increasing in the frame of the stretched incident direction.
   bool inverse_map = false;
+  /// Whether its map is of a few smooth pieces, so that even random numbers give an even law. False
+  /// for one that takes the last digits of a random number for another.
+  bool smooth_map = true;
   /// Angle of the stretched incident direction, in degrees, from which it is that: published
   /// samplers take polar coordinates instead near normal incidence.
   double map_from = 0;
@@ -131,7 +134,7 @@ void evaluate_batch(const Bsdf& bsdf, const Configuration& c, std::span<const Ve
 
 /// Gives `s` the BSDFs of the surface that `sampler` and the masking model M make.
 template <class T, class M, class S>
-void add_bsdfs(Subject& s, const S& sampler) {
+void set_bsdfs_of(Subject& s, const S& sampler) {
   s.g2 = [sampler](const Alpha<double>& alpha, const Vec3<double>& wi, const Vec3<double>& wo,
                    const Vec3<double>& wm) {
     return static_cast<double>(vndf::g2<M>(sampler, vector_of<T>(wi), vector_of<T>(wo),
@@ -147,6 +150,14 @@ void add_bsdfs(Subject& s, const S& sampler) {
     const DielectricBsdf<T, S, M> bsdf(sampler, alpha_of<T>(c.alpha), static_cast<T>(kGlassIndex));
     evaluate_batch<T>(bsdf, c, wo, f);
   };
+}
+
+template <class T, class S>
+void set_bsdfs(Subject& s, const S& sampler) {
+  if (s.claims.law == NormalLaw::visible_v_cavity)
+    set_bsdfs_of<T, VCavityMasking>(s, sampler);
+  else
+    set_bsdfs_of<T, SmithCorrelated>(s, sampler);
 }
 
 /// A subject made of `sampler`, of precision T. Where its pdf is 0 for a law of all normals, or its
@@ -177,19 +188,18 @@ Subject make_subject(std::string name, std::shared_ptr<const SlopeLaw> law, cons
   s.g1 = [sampler](const Configuration& c) {
     return static_cast<double>(sampler.g1(vector_of<T>(c.wi), alpha_of<T>(c.alpha)));
   };
-  if (claims.law == NormalLaw::visible_v_cavity)
-    add_bsdfs<T, VCavityMasking>(s, sampler);
-  else
-    add_bsdfs<T, SmithCorrelated>(s, sampler);
+  set_bsdfs<T>(s, sampler);
   return s;
 }
 
-/// The same with its map in double precision too, for the derivatives.
+/// The same with its map in double precision too, for the derivatives, and its BSDFs, for the half
+/// vector of two opposite directions is lost in their rounding.
 template <NormalSampler<float> S, NormalSampler<double> D>
 Subject make_subject(std::string name, std::shared_ptr<const SlopeLaw> law, const S& sampler,
                      const D& in_double, const Claims& claims, const Bounds& bounds = {}) {
   Subject s = make_subject<float>(std::move(name), std::move(law), sampler, claims, bounds);
   s.sample_double = batch_of<double>(in_double);
+  set_bsdfs<double>(s, in_double);
   return s;
 }
 
