@@ -38,7 +38,7 @@ class ClosedFunctions {
   }
   T lambda(const Vec3<T>& w, const Alpha<T>& alpha) const noexcept {
     const double s = std::hypot(double{alpha.x} * w.x, double{alpha.y} * w.y);
-    return s == 0 ? T(0) : static_cast<T>(Forms::lambda(w.z / s));
+    return s == 0 ? T(0) : static_cast<T>(Forms::lambda(std::abs(double{w.z}) / s));
   }
   T g1(const Vec3<T>& w, const Alpha<T>& alpha) const noexcept {
     return w.z == T(0) ? T(0) : T(1) / (T(1) + lambda(w, alpha));

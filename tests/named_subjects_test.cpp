@@ -54,7 +54,7 @@ TEST_CASE("an unknown name is refused with the nearest known one") {
 }
 
 TEST_CASE("reference samplers that are right pass, with a fixed seed") {
-  for (const std::string& name : {"ggx-exact", "ggx-hemisphere", "ggx-caps"}) {
+  for (const std::string name : {"ggx-exact", "ggx-hemisphere", "ggx-caps"}) {
     const Verdict v = judge(subject_of(name), {.thoroughness = Thoroughness::quick, .seed = 11});
     for (const Finding& f : v.findings) {
       CAPTURE(name, f.stage, f.statistic, f.measured, f.bound, f.where.theta);

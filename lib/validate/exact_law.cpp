@@ -153,16 +153,21 @@ Uniforms ExactLaw::uniforms(const Vec3<double>& wm, double v) const {
   return {1 - tail * v, azimuth_cdf(edge), s.x < 0 ? u * v : 1 - (1 - u) * v};
 }
 
+double ExactLaw::pdf_if_seen(const Vec3<double>& wm, double cosine) const {
+  const double d = law_.d(wm, configuration_.alpha), z = configuration_.wi.z;
+  if (kind_ == NormalLaw::all) return d * wm.z;
+  if (!(cosine > 0)) return 0;
+  if (kind_ == NormalLaw::visible_smith) return d * cosine / area_;
+  // At the horizon every facet that is seen is masked by its twin.
+  return d * (z > 0 ? std::min(cosine / z, 2 * wm.z) : 2 * wm.z);
+}
+
 double ExactLaw::facing_pdf(const Vec3<double>& wm) const {
-  const double d = law_.d(wm, configuration_.alpha);
-  return kind_ == NormalLaw::all ? d * wm.z : d / area_;
+  return pdf_if_seen(wm, 1);
 }
 
 double ExactLaw::pdf(const Vec3<double>& wm) const {
-  if (kind_ == NormalLaw::all) return facing_pdf(wm);
-  const double seen = std::max(0.0, dot(configuration_.wi, wm));
-  const bool smith = kind_ == NormalLaw::visible_smith;
-  return facing_pdf(wm) * (smith ? seen : std::min(seen, 2 * configuration_.wi.z * wm.z));
+  return pdf_if_seen(wm, dot(configuration_.wi, wm));
 }
 
 }  // namespace vndf::validate

@@ -114,6 +114,8 @@ class ExactLaw {
   Probability<double> radius_cdf(const StretchedSlope& s) const;
   double azimuth_cdf(const StretchedSlope& s) const;
   double marginal_cdf(const StretchedSlope& s) const;
+  /// Density of `wm` were it seen under `cosine`.
+  double pdf_if_seen(const Vec3<double>& wm, double cosine) const;
 
   const SlopeLaw& law_;
   NormalLaw kind_;
