@@ -70,6 +70,9 @@ TEST_CASE("the rational fit of GGX errs in slope y as its header says, and ends 
   CHECK_FALSE(tails.passed());
   CHECK(tails.measured == Approx(GgxAnalyticMethod::kFitError).epsilon(0.02));
   CHECK_FALSE(find(findings, "u-error of slope y").passed());
+  // What lies beyond its last slope on each side is all in the tail.
+  CHECK(find(findings, "tail mass / 2^-20 - 1, slope y").measured ==
+        Approx(GgxAnalyticMethod::kFitError / 0x1p-20).epsilon(0.02));
 }
 
 TEST_CASE("the cones of the analytic methods are found, as large as at their edge") {

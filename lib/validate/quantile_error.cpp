@@ -2,11 +2,13 @@
 #include "validate/quantile_error.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "precompute/visible_slopes.h"
 #include "validate/conditional_law.h"
+#include "validate/density_distance.h"
 
 namespace vndf::validate {
 namespace {
@@ -14,9 +16,9 @@ namespace {
 using precompute::VisibleSlopes;
 
 constexpr const char* kStage = "map";
-constexpr int kTailPlaces = 60;      // per tail, logarithmic
-constexpr double kSmallestU = 1e-9;  // towards 0; towards 1 single precision ends at 2^-24
-constexpr int kTailBits = 20;        // the mass 2^-20 of whose tails the ratio is judged
+constexpr int kTailPlaces = 60;        // per tail, logarithmic
+constexpr double kSmallestU = 1e-9;    // towards 0; towards 1 single precision ends at 2^-24
+constexpr double kTailMass = 0x1p-20;  // of the tails whose ratio is judged
 constexpr int kHalvings = 24;
 
 double golden(std::size_t k) {
@@ -48,8 +50,7 @@ struct SlopeErrors {
   Worst body, tails;
 
   void see(double error, double u, const Place& place) {
-    const double mass = std::ldexp(1.0, -kTailBits);
-    (u < mass || u > 1 - mass ? tails : body).see(error, place);
+    (u < kTailMass || u > 1 - kTailMass ? tails : body).see(error, place);
   }
   void see(const SlopeErrors& other) {
     body.see(other.body);
@@ -57,9 +58,49 @@ struct SlopeErrors {
   }
 };
 
+/// The laws of slope y at a slope x, where both have been rounded: near the rim of a compact
+/// distribution they change within the rounding. What lies between is no error.
+class RoundedConditional {
+ public:
+  static bool judged(const precompute::UnitSlopes& slopes, double x) {
+    return ConditionalLaw::judged(slopes, x * (1 + kSlopeRounding));
+  }
+  RoundedConditional(const precompute::UnitSlopes& slopes, double x)
+      : laws_{ConditionalLaw(slopes, x), ConditionalLaw(slopes, x * (1 - kSlopeRounding)),
+              ConditionalLaw(slopes, x * (1 + kSlopeRounding))} {}
+
+  /// |P(Y <= y) - u|.
+  double error(double y, double u) const {
+    return least(y, [u](const Probability<double>& cdf) { return u_error(cdf, u); });
+  }
+  /// |mass of the tail beyond y / `mass` - 1|, y on the side of `u`.
+  double ratio_error(double y, double u, double mass) const {
+    return least(y, [u, mass](const Probability<double>& cdf) {
+      return (u < 0.5 ? cdf.u : cdf.complement) / mass - 1;
+    });
+  }
+
+ private:
+  /// Distance from 0 of the interval of errors that the CDFs at `y` give.
+  template <class F>
+  double least(double y, F error_of) const {
+    double low = error_of(laws_[0].cdf(y)), high = low;
+    for (const ConditionalLaw& law : laws_)
+      for (const double s : {1 - kSlopeRounding, 1 + kSlopeRounding}) {
+        const double e = error_of(law.cdf(y * s));
+        if (std::isnan(e)) return kUnknown;
+        low = std::min(low, e);
+        high = std::max(high, e);
+      }
+    return std::max({0.0, low, -high});
+  }
+
+  std::array<ConditionalLaw, 3> laws_;
+};
+
 struct MapErrors {
   SlopeErrors x, y;
-  Worst ratio, backward, jump;
+  Worst ratio_x, ratio_y, backward, jump;
 };
 
 /// One row of the map: all u1 at one incidence.
@@ -74,7 +115,7 @@ class Row {
   MapErrors judge(const QuantileOptions& options) {
     const auto list = places(options.places);
     for (const double u2 : {0.5, 0.1875, 0.875}) judge_marginal(list, u2);
-    judge_tails();
+    judge_marginal_tails();
     for (std::size_t k = 0; k < options.slopes; ++k) {
       // The first two are in the tails.
       const double u1 = k == 0 ? 1e-4 : k == 1 ? 0.9999 : golden(k);
@@ -135,28 +176,37 @@ class Row {
     errors_.jump.see(gain(from, to), place_of(configuration_, from, u2));
   }
 
-  void judge_tails() {
-    const double mass = std::ldexp(1.0, -kTailBits);
+  void judge_marginal_tails() {
+    constexpr double mass = kTailMass;
     const StretchedSlope low = slope(mass, 0.5), high = slope(1 - mass, 0.5);
     if (carried(low)) {
       const double u = marginal_error(low, mass) + mass;
-      errors_.ratio.see(std::abs(u / mass - 1), place_of(configuration_, mass));
+      errors_.ratio_x.see(std::abs(u / mass - 1), place_of(configuration_, mass));
     }
     const double complement = mass - marginal_error(high, 1 - mass);
-    errors_.ratio.see(std::abs(complement / mass - 1), place_of(configuration_, 1 - mass));
+    errors_.ratio_x.see(std::abs(complement / mass - 1), place_of(configuration_, 1 - mass));
   }
 
   void judge_conditional(double u1, const std::vector<double>& list) {
     const auto& slopes = subject_.law->slopes();
     const StretchedSlope middle = slope(u1, 0.5);
     const double x = middle.x / middle.w;
-    if (!carried(middle) || !ConditionalLaw::judged(slopes, x)) return;
-    const ConditionalLaw conditional(slopes, x);
+    if (!carried(middle) || !RoundedConditional::judged(slopes, x)) return;
+    const RoundedConditional conditional(slopes, x);
     for (const double u2 : list) {
       const StretchedSlope s = slope(u1, u2);
       if (!carried(s)) continue;
-      const auto cdf = conditional.cdf(s.y / s.w);
-      errors_.y.see(std::abs(u_error(cdf, u2)), u2, place_of(configuration_, u1, u2));
+      errors_.y.see(conditional.error(s.y / s.w, u2), u2, place_of(configuration_, u1, u2));
+    }
+    judge_conditional_tails(conditional, u1);
+  }
+
+  void judge_conditional_tails(const RoundedConditional& conditional, double u1) {
+    for (const double u2 : {kTailMass, 1 - kTailMass}) {
+      const StretchedSlope s = slope(u1, u2);
+      if (!carried(s)) continue;
+      errors_.ratio_y.see(conditional.ratio_error(s.y / s.w, u2, kTailMass),
+                          place_of(configuration_, u1, u2));
     }
   }
 
@@ -196,7 +246,8 @@ std::vector<Finding> measure_quantile_error(const Subject& subject,
   for (const MapErrors& row : rows) {
     all.x.see(row.x);
     all.y.see(row.y);
-    all.ratio.see(row.ratio);
+    all.ratio_x.see(row.ratio_x);
+    all.ratio_y.see(row.ratio_y);
     all.backward.see(row.backward);
     all.jump.see(row.jump);
   }
@@ -205,7 +256,8 @@ std::vector<Finding> measure_quantile_error(const Subject& subject,
           all.x.tails.finding(kStage, "u-error of slope x, tails", bounds.u_error),
           all.y.body.finding(kStage, "u-error of slope y", bounds.u_error),
           all.y.tails.finding(kStage, "u-error of slope y, tails", bounds.u_error),
-          all.ratio.finding(kStage, "tail mass ratio - 1 at 2^-20", bounds.tail_error),
+          all.ratio_x.finding(kStage, "tail mass / 2^-20 - 1, slope x", bounds.tail_error),
+          all.ratio_y.finding(kStage, "tail mass / 2^-20 - 1, slope y", bounds.tail_error),
           all.backward.finding(kStage, "steps back (monotone)", kStep),
           all.jump.finding(kStage, "jumps (continuous)", kStep)};
 }
