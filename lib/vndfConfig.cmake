@@ -1,5 +1,5 @@
-# find_package(vndf): targets vndf::vndf, vndf::batch, vndf::io and vndf::precompute. FindHDF5 needs
-# C enabled.
+# find_package(vndf): targets vndf::vndf, vndf::batch, vndf::io, vndf::precompute and
+# vndf::validate. FindHDF5 needs C enabled.
 enable_language(C)
 include(CMakeFindDependencyMacro)
 find_dependency(Threads)

@@ -6,7 +6,6 @@
 #include <atomic>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <string>
 #include <thread>
@@ -14,8 +13,8 @@
 
 #include "built_tables.h"
 #include "catch.h"
-#include "closed_forms.h"
 #include "tolerances.h"
+#include "visible_law.h"
 #include "vndf/tabulated_sampler.h"
 
 using namespace vndf;
@@ -47,27 +46,6 @@ double p_value(const Counts& counts, double total) {
   return cdf(complement(law, statistic));
 }
 
-/// Transforms normals to uniform pairs.
-template <class Forms>
-class Transform {
- public:
-  Transform(const Vec3<double>& wi, const Alpha<double>& alpha) : alpha_(alpha), z_(wi.z) {
-    const double x = alpha.x * wi.x, y = alpha.y * wi.y;
-    s_ = std::hypot(x, y);
-    cos_ = s_ > 0 ? x / s_ : 1;
-    sin_ = s_ > 0 ? y / s_ : 0;
-  }
-  Vec2<double> operator()(const Vec3<double>& m) const {
-    const double sx = -m.x / m.z / alpha_.x, sy = -m.y / m.z / alpha_.y;
-    const double x = cos_ * sx + sin_ * sy, y = cos_ * sy - sin_ * sx;
-    return {visible_cdf<Forms>(z_, s_, x), Forms::conditional(x, y)};
-  }
-
- private:
-  Alpha<double> alpha_;
-  double z_, s_, cos_, sin_;
-};
-
 std::size_t bin(double v) {
   return std::min(static_cast<std::size_t>(v * kBins), kBins - 1);
 }
@@ -79,19 +57,15 @@ struct Verdict {
 /// Draws `total` normals with `sample(wi, alpha, u1, u2)` and judges both uniform numbers.
 template <class Forms, class Sample>
 Verdict judge(const Case& c, std::uint64_t total, std::uint64_t seed, Sample sample) {
-  const double theta = c.degrees * std::numbers::pi / 180, phi = c.azimuth * std::numbers::pi / 180;
-  const Vec3<float> wi{static_cast<float>(std::sin(theta) * std::cos(phi)),
-                       static_cast<float>(std::sin(theta) * std::sin(phi)),
-                       static_cast<float>(std::cos(theta))};
+  const auto wi = direction_at<float>(c.degrees, c.azimuth);
   const Alpha<float> alpha{static_cast<float>(c.ax), static_cast<float>(c.ay)};
-  const Transform<Forms> transform({wi.x, wi.y, wi.z}, {alpha.x, alpha.y});
+  const VisibleLaw<Forms> law(wi, alpha);
   Counts first(kBins), second(kBins);
   std::mt19937_64 random(seed);
   const auto uniform = [&] { return std::ldexp(static_cast<float>(random() >> 40), -24); };
   for (std::uint64_t k = 0; k < total; ++k) {
     const float u1 = uniform();
-    const Vec3<float> m = sample(wi, alpha, u1, uniform());
-    const auto v = transform({m.x, m.y, m.z});
+    const auto v = law(sample(wi, alpha, u1, uniform()));
     ++first[bin(v.x)];
     ++second[bin(v.y)];
   }

@@ -1,79 +1,25 @@
 // The program as a person or a script meets it: output, exit status, messages.
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "catch.h"
+#include "program_folder.h"
 
 namespace fs = std::filesystem;
 using vndf::test::Approx;
 using vndf::test::contains;
+using vndf::test::content;
+using vndf::test::Folder;
+using vndf::test::FolderWithTables;
+using vndf::test::Result;
 
 namespace {
-
-struct Result {
-  int status;
-  std::string out, error;
-};
-
-std::string content(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-/// An empty folder that is gone after the test, and the program run inside it.
-class Folder {
- public:
-  Folder() : path_(fs::temp_directory_path() / ("vndf-test-" + std::to_string(getpid()))) {
-    fs::remove_all(path_);
-    fs::create_directories(path_);
-  }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  fs::path operator/(const std::string& name) const { return path_ / name; }
-
-  Result run(const std::string& arguments, const std::string& input = "") const {
-    const fs::path streams = path_.string() + "-streams";
-    fs::create_directories(streams);
-    std::ofstream(streams / "in") << input;
-    const std::string command = "cd " + path_.string() + " && " VNDF_PROGRAM " " + arguments +
-                                " <" + (streams / "in").string() + " >" +
-                                (streams / "out").string() + " 2>" + (streams / "error").string();
-    const int status = std::system(command.c_str());
-    const Result result{WEXITSTATUS(status), content(streams / "out"), content(streams / "error")};
-    fs::remove_all(streams);
-    return result;
-  }
-
-  /// Names of the files inside.
-  std::vector<std::string> files() const {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(path_))
-      names.push_back(entry.path().filename());
-    return names;
-  }
-
- private:
-  fs::path path_;
-};
-
-/// A folder with a small table file, "ggx.h5".
-class FolderWithTables : public Folder {
- public:
-  FolderWithTables() { REQUIRE(run("build ggx -o ggx.h5 --size 32x48 --quiet").status == 0); }
-};
 
 void check_failure(const Result& r, int status, const std::string& message) {
   CHECK(r.status == status);
@@ -99,7 +45,8 @@ TEST_CASE("help of the program and of every subcommand explains itself") {
   const Folder folder;
   const Result help = folder.run("--help");
   CHECK(help.status == 0);
-  for (const std::string name : {"build", "info", "sample", "convert", "picture", "bench"}) {
+  for (const std::string name : {"build", "info", "sample", "convert", "picture", "bench",
+                                 "experiment", "validate", "check"}) {
     CHECK_THAT(help.out, contains(name));
     CHECK(folder.run(name + " --help").status == 0);
   }
@@ -400,4 +347,38 @@ TEST_CASE("options that do not go together are wrong usage") {
   check_failure(folder.run("build --p22 'exp(-k*r)' --param k -o a.h5"), 2, "NAME=NUMBER");
   check_failure(folder.run("build ggx --break 1 -o a.h5"), 2, "--break");
   check_failure(folder.run("build ggx --frozen-at 0.3 -o a.h5"), 2, "--frozen-at");
+}
+
+TEST_CASE("the variance experiment tells the gain of visible normals, from a name or from a file") {
+  const Folder folder;
+  REQUIRE(folder.run("build ggx -o t.h5 --size 64 --quiet").status == 0);
+  const std::string options = " --samples 1e5 --theta 80 --alpha 0.5 --light smooth";
+  const Result text = folder.run("experiment variance --distribution ggx" + options);
+  REQUIRE(text.status == 0);
+  CHECK_THAT(text.out, contains("algorithm-2-tables"));
+  CHECK(text.error.empty());
+
+  const Result json = folder.run("experiment variance --tables t.h5 --json" + options);
+  REQUIRE(json.status == 0);
+  const auto report = nlohmann::json::parse(json.out);
+  const auto& estimators = report["lights"][0]["estimators"];
+  CHECK(report["lights"].size() == 1);
+  CHECK(estimators[0]["estimator"] == "algorithm-1");
+  CHECK(estimators[0]["gain_over_algorithm_1"] == 1);
+  CHECK(estimators[1]["gain_over_algorithm_1"] > 1.5);
+  CHECK(estimators[1]["largest_weight"] <= 1);
+  CHECK(folder.run("experiment variance --tables t.h5 --json --threads 1" + options).out ==
+        json.out);
+}
+
+TEST_CASE("the variance experiment refuses what it cannot run") {
+  const Folder folder;
+  check_failure(folder.run("experiment"), 2, "subcommand");
+  check_failure(folder.run("experiment variance"), 2, "--distribution or --tables");
+  check_failure(folder.run("experiment variance --distribution ggx --tables t.h5"), 2, "excludes");
+  check_failure(folder.run("experiment variance --distribution ggx --samples 1.5"), 2, "1.5");
+  check_failure(folder.run("experiment variance --distribution ggx --samples 0"), 2, "'0'");
+  check_one_line_failure(folder.run("experiment variance --tables missing.h5"), "missing.h5");
+  check_one_line_failure(folder.run("experiment variance --distribution ggx --theta 95"), "theta");
+  check_one_line_failure(folder.run("experiment variance --distribution ggx --alpha 0"), "alpha");
 }

@@ -1,5 +1,5 @@
 // Roots with known values, among them those that defeat Newton's method alone.
-#include "vndf/reference/increasing_root.h"
+#include "vndf/increasing_root.h"
 
 #include "catch.h"
 

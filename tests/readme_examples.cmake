@@ -1,7 +1,7 @@
 # The README shows the example programs as they are compiled here, word for word.
 get_filename_component(top ${CMAKE_CURRENT_LIST_DIR} DIRECTORY)
 file(READ ${top}/README.md readme)
-foreach(example render own_distribution)
+foreach(example render metal own_distribution)
   file(READ ${CMAKE_CURRENT_LIST_DIR}/examples/${example}.cpp source)
   string(FIND "${readme}" "${source}" place)
   if(place EQUAL -1)

@@ -63,8 +63,7 @@ TEST_CASE("a map that decreases, does not begin at 0 or has a bad tangent is ref
   CHECK(refusal_of({{0, 0}, {0.5, 1}, {1, 0}}).empty());
   CHECK(refusal_of({{0.1, 0}, {1, 0}}) ==
         "marginal map: fewer than two nodes, or the first value is not 0");
-  const std::string rule =
-      ": not at or above the node before it in [0, 1], with a tangent >= 0";
+  const std::string rule = ": not at or above the node before it in [0, 1], with a tangent >= 0";
   CHECK(refusal_of({{0, 0}, {0.5, 1}, {0.4, 0}}) == "marginal map, node 2" + rule);
   CHECK(refusal_of({{0, 0}, {1, -1}}) == "marginal map, node 1" + rule);
   CHECK(refusal_of({{0, 0}, {1.5, 0}}) == "marginal map, node 1" + rule);

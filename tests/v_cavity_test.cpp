@@ -36,6 +36,7 @@ struct PolarLaw {
 /// have equal shares, and D_wi / (D wm.z) is G1 dot(wi, wm)+ / (wi.z wm.z).
 std::vector<double> visible_shares(const Vec3<double>& wi, const Alpha<double>& alpha) {
   constexpr int kPoints = 40;
+  const GgxCavity<double> cavity;
   std::vector<double> shares;
   double total = 0;
   for (std::size_t i = 0; i < kColumns; ++i)
@@ -48,7 +49,7 @@ std::vector<double> visible_shares(const Vec3<double>& wi, const Alpha<double>& 
           const double r = std::sqrt(u), phi = 2 * std::numbers::pi * turn;
           const auto m = normalize_or_up(Vec3<double>{
               alpha.x * r * std::cos(phi), alpha.y * r * std::sin(phi), std::sqrt(1 - u)});
-          sum += v_cavity_g1(wi, m) * std::max(0.0, dot(wi, m)) / (wi.z * m.z);
+          sum += cavity.g1(wi, m, alpha) * std::max(0.0, dot(wi, m)) / (wi.z * m.z);
         }
       shares.push_back(sum);
       total += sum;
@@ -78,7 +79,7 @@ TEST_CASE("V-cavity masking conserves the projected area and its pdf integrates 
     CAPTURE(degrees);
     const auto wi = direction_at<double>(degrees, 35);
     const auto area = [&](const Vec3<double>& m) {
-      return v_cavity_g1(wi, m) * std::max(0.0, dot(wi, m)) * ggx.d(m, kAlpha);
+      return ggx.g1(wi, m, kAlpha) * std::max(0.0, dot(wi, m)) * ggx.d(m, kAlpha);
     };
     CHECK(over_normals(area, wi, kAlpha) == Approx(wi.z).epsilon(1e-4));
     const auto pdf = [&](const Vec3<double>& m) { return ggx.pdf(wi, m, kAlpha); };
@@ -184,25 +185,13 @@ TEST_CASE("the two-argument G1 is the mean of the facets' masking, by projected 
   const GgxCavity<double> cavity;
   const auto wi = direction_at<double>(70, 35);
   const auto masked = [&](const Vec3<double>& m) {
-    return v_cavity_g1(wi, m) * std::max(0.0, dot(wi, m)) * cavity.d(m, kAlpha);
+    return cavity.g1(wi, m, kAlpha) * std::max(0.0, dot(wi, m)) * cavity.d(m, kAlpha);
   };
   const auto all = [&](const Vec3<double>& m) {
     return std::max(0.0, dot(wi, m)) * cavity.d(m, kAlpha);
   };
   CHECK(over_normals(masked, wi, kAlpha) / over_normals(all, wi, kAlpha) ==
         Approx(cavity.g1(wi, kAlpha)).epsilon(1e-4));
-}
-
-TEST_CASE("V-cavity G2 is the smaller of the maskings above the horizon, their excess below") {
-  const Vec3<double> wm = direction_at<double>(30, 0);
-  const auto wi = direction_at<double>(70, 0), wo = direction_at<double>(60, 10);
-  const double in = v_cavity_g1(wi, wm), out = v_cavity_g1(wo, wm);
-  CHECK(in == Approx(2 * wm.z * wi.z / dot(wi, wm)));
-  CHECK(v_cavity_g2(wi, wo, wm) == std::min(in, out));
-  CHECK(v_cavity_g2(wi, wo, wm) == v_cavity_g2(wo, wi, wm));
-  const Vec3<double> below{wo.x, wo.y, -wo.z};
-  CHECK(v_cavity_g2(wi, below, wm) == std::max(0.0, in + v_cavity_g1(below, wm) - 1));
-  CHECK(v_cavity_g1(direction_at<double>(80, 180), direction_at<double>(80, 0)) == 0);
 }
 
 TEST_CASE("the side of a groove that faces away is never chosen, whatever u3 is") {

@@ -14,6 +14,9 @@ void add_info(CLI::App& app);
 void add_sample(CLI::App& app);
 void add_convert(CLI::App& app);
 void add_picture(CLI::App& app);
+void add_experiment(CLI::App& app);
+void add_validate(CLI::App& app);
+void add_check(CLI::App& app);
 void add_bench(CLI::App& app);
 
 }  // namespace vndf::tools

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -51,6 +52,23 @@ std::string quoted(const std::string& text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return result + "'";
+}
+
+/// The words of a command line that quoted() wrote.
+std::vector<std::string> words_of(const std::string& line) {
+  std::vector<std::string> words(1);
+  bool inside = false;  // of quotes
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '\'')
+      inside = !inside;
+    else if (line[i] == '\\' && !inside && i + 1 < line.size())
+      words.back() += line[++i];
+    else if (line[i] == ' ' && !inside)
+      words.emplace_back();
+    else
+      words.back() += line[i];
+  }
+  return words;
 }
 
 std::string file_checksum(const std::string& path) {
@@ -235,6 +253,21 @@ DistributionSource make_distribution(const SourceArguments& a) {
   const bool singular = !a.spec.empty() && std::isinf(source.distribution->p22(0));
   precompute::diagnose(*source.distribution, {.singularity_at_zero_allowed = singular});
   return source;
+}
+
+DistributionSource distribution_of_recipe(const std::string& recipe) {
+  auto words = words_of(recipe);
+  if (words.size() < 3 || words[0] != "vndf" || words[1] != "build")
+    throw std::runtime_error("it is not a command line of vndf build");
+  words.erase(words.begin(), words.begin() + 2);
+  std::reverse(words.begin(), words.end());  // as CLI11 takes them
+  CLI::App app;
+  SourceArguments arguments;
+  add_source_options(app, arguments);
+  std::string ignored;
+  for (const char* option : {"--size", "-o"}) app.add_option(option, ignored);
+  app.parse(words);
+  return make_distribution(arguments);
 }
 
 std::string list_of_families() {

@@ -39,6 +39,10 @@ void add_source_options(CLI::App& command, SourceArguments& arguments);
 /// std::runtime_error with one clear line, CLI::ValidationError where options do not go together.
 DistributionSource make_distribution(const SourceArguments& arguments);
 
+/// The distribution that `vndf build` was told of in `recipe`, its command line. Throws
+/// std::runtime_error for any other text, and as make_distribution() does.
+DistributionSource distribution_of_recipe(const std::string& recipe);
+
 /// The list of named distributions with their parameters.
 std::string list_of_families();
 

@@ -1,5 +1,5 @@
 // The vndf program: parses the command line, calls the library, prints. Exit status 0, 1 after a
-// failure (one line on standard error) and 2 for wrong usage.
+// failure (one line on standard error) or a verdict against a subject, and 2 for wrong usage.
 #include <exception>
 #include <iostream>
 
@@ -17,9 +17,14 @@ int main(int argc, char** argv) {
   vndf::tools::add_sample(app);
   vndf::tools::add_convert(app);
   vndf::tools::add_picture(app);
+  vndf::tools::add_experiment(app);
+  vndf::tools::add_validate(app);
+  vndf::tools::add_check(app);
   vndf::tools::add_bench(app);
   try {
     app.parse(argc, argv);
+  } catch (const CLI::RuntimeError& e) {
+    return e.get_exit_code();  // a verdict, already printed
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? 0 : 2;
   } catch (const std::exception& e) {

@@ -1,10 +1,9 @@
-// Root of a decreasing function within a bracket: Newton's method, with bisection wherever a step
-// would leave the bracket. It always converges.
+// Root of a decreasing function within a bracket: that of its negative, increasing_root.h.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
+
+#include "vndf/increasing_root.h"
 
 namespace vndf::precompute {
 
@@ -22,23 +21,13 @@ struct Bracket {
 /// the bracket.
 template <class F>
 double bracketed_newton(F f, Bracket bracket, double guess) {
-  constexpr double kResolution = 4 * std::numeric_limits<double>::epsilon();
-  constexpr double kLastStep = 1e-8;
-  const auto middle = [&] { return bracket.low + (bracket.high - bracket.low) / 2; };
-  const auto inside = [&](double x) { return x > bracket.low && x < bracket.high; };
-  double x = inside(guess) ? guess : middle();
-  while (inside(x)) {
+  const auto negative = [&f](double x) {
     const ValueAndSlope at = f(x);
-    if (at.value == 0) return x;
-    (at.value > 0 ? bracket.low : bracket.high) = x;
-    const double step = -at.value / at.slope;
-    // Newton's method squares the error: after a step this small, the next would be lost in
-    // rounding.
-    const double enough = std::max(kResolution, kLastStep * std::abs(x));
-    if (std::abs(step) <= enough) return std::clamp(x + step, bracket.low, bracket.high);
-    x = inside(x + step) ? x + step : middle();
-  }
-  return x;
+    return ValueAndDerivative{-at.value, -at.slope};
+  };
+  return increasing_root(
+      negative, bracket.low, bracket.high, guess,
+      {.relative = 1e-8, .absolute = 4 * std::numeric_limits<double>::epsilon()});
 }
 
 }  // namespace vndf::precompute

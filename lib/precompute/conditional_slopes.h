@@ -25,6 +25,9 @@ class ConditionalSlopes {
   /// units of `scale`. `slopes` must outlive this object.
   ConditionalSlopes(const UnitSlopes& slopes, double x, const ConditionalScale<double>& scale);
 
+  /// The scale that y is in units of.
+  double scale() const { return scale_; }
+
   /// P(|Y| < y) and its complement at y >= 0. Maximum error: 1e-13 for smooth densities, in both
   /// tails relative.
   Probability<double> cdf(double y) const;

@@ -85,7 +85,8 @@ class TabulatedSampler {
     const BoundedSlope<T> x = from_order(sample_ordered_marginal(c, u1), tables_->tail_order);
     // The edge itself, not what its rounded sigma decodes to: that of a far edge may be infinite.
     const BoundedSlope<T>& edge = farthest(c);
-    return x.sigma < edge.sigma ? x : edge;
+    // Near 1 sigma is rounded more coarsely than its complement, which may be beyond the edge's.
+    return x.sigma < edge.sigma && x.complement > edge.complement ? x : edge;
   }
 
   /// The same at the order of the table, where it does not leave the range of T.

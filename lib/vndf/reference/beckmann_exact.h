@@ -13,8 +13,8 @@
 #include <numbers>
 
 #include "vndf/beckmann.h"
+#include "vndf/increasing_root.h"
 #include "vndf/reference/erf_inverse.h"
-#include "vndf/reference/increasing_root.h"
 #include "vndf/smith.h"
 
 namespace vndf {

@@ -15,7 +15,7 @@
 #include <numbers>
 
 #include "vndf/ggx.h"
-#include "vndf/reference/increasing_root.h"
+#include "vndf/increasing_root.h"
 #include "vndf/smith.h"
 
 namespace vndf {

@@ -5,27 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vndf/masking.h"
 #include "vndf/stretch.h"
 #include "vndf/table_coordinates.h"
 
 namespace vndf {
-
-/// Masking of the facet `wm` seen from `w` (equation 3), both sides of the horizon; 0 where they
-/// are on different sides of the facet and of the horizon.
-template <class T>
-T v_cavity_g1(const Vec3<T>& w, const Vec3<T>& wm) {
-  const T facing = dot(w, wm);
-  if (!(facing * w.z > T(0))) return T(0);
-  return std::min(T(1), T(2) * std::abs(wm.z * w.z / facing));
-}
-
-/// Masking and shadowing of the facet `wm` (section 2.1): correlated above the horizon,
-/// anticorrelated below it.
-template <class T>
-T v_cavity_g2(const Vec3<T>& wi, const Vec3<T>& wo, const Vec3<T>& wm) {
-  const T in = v_cavity_g1(wi, wm), out = v_cavity_g1(wo, wm);
-  return wo.z > T(0) ? std::min(in, out) : std::max(in + out - T(1), T(0));
-}
 
 /// Around any sampler of all normals.
 template <class T, class NdfSampler>
@@ -76,9 +60,9 @@ class VCavity {
     return sampler_.lambda(w, alpha);
   }
 
-  /// Masking of the facet `wm`: unlike Smith's it depends on the facet.
-  T g1(const Vec3<T>& w, const Vec3<T>& wm, const Alpha<T>&) const noexcept {
-    return v_cavity_g1(w, wm);
+  /// Masking of the facet `wm` (VCavityMasking): unlike Smith's it depends on the facet.
+  T g1(const Vec3<T>& w, const Vec3<T>& wm, const Alpha<T>& alpha) const noexcept {
+    return VCavityMasking::g1(sampler_, w, wm, alpha);
   }
   /// Its mean over the facets that face `w`, weighted by their projected areas, which is Smith's
   /// G1: both models conserve the projected area w.z.

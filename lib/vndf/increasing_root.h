@@ -12,12 +12,19 @@ struct ValueAndDerivative {
   double value, derivative;
 };
 
+/// The step that ends the search: Newton's method squares the error, so that after a step this
+/// small the next would be lost in rounding.
+struct LastStep {
+  double relative = 1e-9;
+  /// Counts where the root is near 0.
+  double absolute = std::numeric_limits<double>::min();
+};
+
 /// x in [low, high] with f(x) = 0, for increasing f with f(low) <= 0 <= f(high); f returns
-/// ValueAndDerivative. Ends with a step below 1e-9 |x|, whose error is the square of it, or when
-/// the bracket has no number left inside.
+/// ValueAndDerivative. Ends with a step below `last`, whose error is the square of it, or when the
+/// bracket has no number left inside. `guess` need not be inside the bracket.
 template <class F>
-double increasing_root(F f, double low, double high, double guess) {
-  constexpr double kLastStep = 1e-9;
+double increasing_root(F f, double low, double high, double guess, const LastStep& last = {}) {
   const auto inside = [&](double x) { return x > low && x < high; };
   double x = inside(guess) ? guess : low + (high - low) / 2;
   while (inside(x)) {
@@ -25,7 +32,7 @@ double increasing_root(F f, double low, double high, double guess) {
     if (at.value == 0) return x;
     (at.value < 0 ? low : high) = x;
     const double step = -at.value / at.derivative;
-    if (std::abs(step) <= std::max(kLastStep * std::abs(x), std::numeric_limits<double>::min()))
+    if (std::abs(step) <= std::max(last.relative * std::abs(x), last.absolute))
       return std::clamp(x + step, low, high);
     x = inside(x + step) ? x + step : low + (high - low) / 2;
   }

@@ -1,0 +1,76 @@
+// Stage: the subject beside an exact sampler, on the same random numbers.
+#include "validate/cross_validation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "precompute/visible_slopes.h"
+#include "precompute/words.h"
+#include "validate/conditional_law.h"
+#include "validate/even_points.h"
+#include "validate/law_test.h"
+
+namespace vndf::validate {
+namespace {
+
+using precompute::VisibleSlopes;
+
+struct Difference {
+  Worst u, angle;
+};
+
+double angle_between(const Vec3<double>& a, const Vec3<double>& b) {
+  const Vec3<double> across{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  return std::atan2(std::sqrt(dot(across, across)), dot(a, b));
+}
+
+Difference compare(const Subject& subject, const Configuration& c, std::size_t points) {
+  const ExactLaw law(*subject.law, subject.claims.law, c);
+  Difference worst;
+  for (std::size_t k = 0; k < points; ++k) {
+    const auto [u1, u2] = even_point(k);
+    const Vec3<double> exact = exact_normal(*subject.law, c, u1, u2);
+    const Vec3<double> given = subject.sample_one(c, u1, u2);
+    if (given.z < kSmallestHeight || exact.z < kSmallestHeight) continue;
+    const Uniforms a = law.uniforms(exact, 0), b = law.uniforms(given, 0);
+    // The ends of w_phi are one azimuth; what counts is the mass that is swept within the radius.
+    const double turn = std::abs(a.phi - b.phi);
+    const double swept = std::min(turn, 1 - turn) * std::max(a.r, b.r);
+    const Place place = place_of(c, u1, u2);
+    worst.u.see(std::max({std::abs(a.r - b.r), std::abs(a.x - b.x), swept}), place);
+    worst.angle.see(angle_between(exact, given), place);
+  }
+  return worst;
+}
+
+}  // namespace
+
+Vec3<double> exact_normal(const SlopeLaw& law, const Configuration& c, double u1, double u2) {
+  const StretchedFrame frame(law, c);
+  const auto& slopes = law.slopes();
+  const double a = VisibleSlopes(slopes, frame.cotangent()).quantile({u1, 1 - u1}, 0);
+  const double x = std::sinh(a);
+  const double y =
+      ConditionalLaw::judged(slopes, x) ? ConditionalLaw(slopes, x).quantile({u2, 1 - u2}) : 0;
+  return frame.normal_of({x, y, 1});
+}
+
+std::vector<Finding> cross_validate(const Subject& subject, std::size_t points,
+                                    const precompute::Workers& workers) {
+  auto list = law_configurations();
+  std::erase_if(list, [&](const Configuration& c) { return !subject.claims.map_at(c); });
+  std::vector<Difference> each(list.size());
+  precompute::parallel_for(list.size(), workers,
+                           [&](std::size_t i) { each[i] = compare(subject, list[i], points); });
+  Difference all;
+  for (const Difference& d : each) {
+    all.u.see(d.u);
+    all.angle.see(d.angle);
+  }
+  // A joint difference in u has the errors of both slopes in it.
+  Finding f = all.u.finding("cross", "difference in u", 3 * subject.bounds.u_error);
+  f.note = "angle up to " + precompute::rounded_text(all.angle.measured) + " rad";
+  return {f};
+}
+
+}  // namespace vndf::validate

@@ -1,0 +1,33 @@
+// What the judging commands share: the law that a name or a table file stands for, and how verdicts
+// are shown.
+#pragma once
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "io/table_file.h"
+#include "validate/judge.h"
+
+namespace vndf::tools {
+
+/// The distribution that a table file was made from, by its recipe. Throws std::runtime_error where
+/// it cannot be had again.
+std::unique_ptr<precompute::SlopeDistribution> distribution_of(const io::TableFile& file);
+
+/// True if `argument` is the path of a file or looks like one.
+bool names_a_file(const std::string& argument);
+
+/// A table, one line for each finding.
+std::string describe(const validate::Verdict& verdict);
+
+/// Place, tests and note are left out where they do not apply.
+nlohmann::ordered_json to_json(const validate::Verdict& verdict);
+
+/// Writes `report` with a line end to `path`, under a temporary name first.
+void write_json(const std::string& path, const nlohmann::ordered_json& report);
+
+/// A fresh seed from the machine, printed so that a run can be repeated.
+std::uint64_t fresh_seed();
+
+}  // namespace vndf::tools
