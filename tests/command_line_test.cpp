@@ -365,8 +365,14 @@ TEST_CASE("the variance experiment tells the gain of visible normals, from a nam
   CHECK(report["lights"].size() == 1);
   CHECK(estimators[0]["estimator"] == "algorithm-1");
   CHECK(estimators[0]["gain_over_algorithm_1"] == 1);
-  CHECK(estimators[1]["gain_over_algorithm_1"] > 1.5);
-  CHECK(estimators[1]["largest_weight"] <= 1);
+  std::size_t visible = 0;
+  for (const auto& e : estimators) {
+    if (!e["visible_normals"]) continue;
+    ++visible;
+    CHECK(e["gain_over_algorithm_1"] > 1.5);
+    CHECK(e["largest_weight"] <= 1);
+  }
+  CHECK(visible == 5);  // analytic, exact, caps, tables; V-cavities
   CHECK(folder.run("experiment variance --tables t.h5 --json --threads 1" + options).out ==
         json.out);
 }
