@@ -193,6 +193,15 @@ TEST_CASE("the picture names its output, its distributions and where it was take
   CHECK_THROWS_AS(speed_plot(nothing, "svg", "out.svg"), std::invalid_argument);
 }
 
+TEST_CASE("the picture leaves out series that have no entries, which gnuplot cannot draw") {
+  SpeedReport few = report();
+  few.entries = {entry("ggx caps as published"), entry("ggx cubic 16")};
+  const std::string script = speed_plot(few, "svg", "out.svg");
+  CHECK_THAT(script, contains("tables, cubic rows") && !contains("tables, linear rows"));
+  CHECK(script.find("EOD\nEOD") == std::string::npos);
+  CHECK(script.find("nan") == std::string::npos);
+}
+
 TEST_CASE("a run without samplers is refused") {
   CHECK_THROWS_AS(measure_speed({}, {}), std::invalid_argument);
 }
