@@ -1,6 +1,6 @@
 // The baseline of the benchmark draws visible GGX normals, so that the ratio compares like with
 // like.
-#include "caps_batch.h"
+#include "bench/caps_batch.h"
 
 #include <cmath>
 #include <numbers>

@@ -11,6 +11,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "batch/sample_batch.h"
+#include "bench/caps_batch.h"
 #include "bench/literal_tables.h"
 #include "bench/published_caps.h"
 #include "io/table_file.h"
@@ -139,6 +141,47 @@ Contestant tabulated(Build build) {
   return c;
 }
 
+DirectionSpans directions(const SampleBlock& b) {
+  return {b.wi_x, b.wi_y, b.wi_z};
+}
+NormalSpans normals(const SampleBlock& b) {
+  return {b.wm_x, b.wm_y, b.wm_z};
+}
+
+/// The same tables, many normals side by side.
+template <class Build>
+Contestant batched(Build build) {
+  double seconds = 0;
+  const BuiltTables built = timed(build, seconds);
+  const TabulatedSampler<float> sampler(built.tables);
+  Contestant c;
+  c.coherent = [sampler](const Vec3<float>& wi, const Alpha<float>& alpha, const SampleBlock& b) {
+    sample_batch(IncidentSampler<float>(sampler, wi, alpha), b.u1, b.u2, normals(b));
+  };
+  c.incoherent = [sampler](const SampleBlock& b) {
+    sample_batch(sampler, directions(b), AlphaSpans{b.alpha_x, b.alpha_y}, b.u1, b.u2, normals(b));
+  };
+  c.bytes = sampling_bytes(*built.tables);
+  c.build_seconds = seconds;
+  c.errors = errors_of(built.certificate);
+  return c;
+}
+
+Entrant batched_caps() {
+  return {"ggx caps as published, batched", "ggx", Kind::reference, 0, [] {
+            Contestant c;
+            c.coherent = [](const Vec3<float>& wi, const Alpha<float>& alpha,
+                            const SampleBlock& b) {
+              caps_batch(wi, alpha, b.u1, b.u2, normals(b));
+            };
+            c.incoherent = [](const SampleBlock& b) {
+              caps_batch(directions(b), {b.alpha_x, b.alpha_y}, b.u1, b.u2, normals(b));
+            };
+            c.errors.u = PublishedCaps::kFloatError;
+            return c;
+          }};
+}
+
 Contestant literal(const SlopeDistribution& distribution, std::size_t side) {
   double seconds = 0;
   LiteralErrors errors;
@@ -179,6 +222,11 @@ void add_tables(std::vector<Entrant>& list, const std::string& spec, const Field
                         return precompute::smallest_tables(*d, {tolerance, kMaxCompactBytes});
                       });
                     }});
+    list.push_back({name.str() + ", batched", spec, Kind::compact, 0, [d, tolerance] {
+                      return batched([&] {
+                        return precompute::smallest_tables(*d, {tolerance, kMaxCompactBytes});
+                      });
+                    }});
   }
 }
 
@@ -213,6 +261,7 @@ std::vector<Entrant> entrants(const FieldOptions& options) {
   std::vector<Entrant> list{baseline()};
   for (const std::string& spec : options.distributions) {
     if (spec == "ggx") add_ggx(list);
+    if (spec == "ggx") list.push_back(batched_caps());
     if (spec == "beckmann") add_beckmann(list);
     add_tables(list, spec, options);
   }

@@ -26,11 +26,13 @@ struct WeightedRows {
 template <class T>
 WeightedRows<T> weighted_rows(const QuantileTable& table, T row_coordinate) {
   if (table.rows() == 1) return {};
-  const Cell<T> r = cell_of(row_coordinate, table.rows());
+  const int rows = static_cast<int>(table.rows());
+  const Cell<T> r = cell_of(row_coordinate, rows);
   if (table.blend() == RowBlend::linear)
-    return {r.index, 2, {T(1) - r.fraction, r.fraction, T(0), T(0)}};
-  const std::size_t first = std::min(r.index > 0 ? r.index - 1 : 0, table.rows() - 4);
-  return {first, 4, lagrange_weights(static_cast<T>(r.index - first) + r.fraction)};
+    return {static_cast<std::size_t>(r.index), 2, {T(1) - r.fraction, r.fraction, T(0), T(0)}};
+  const int first = smaller(larger(r.index - 1, 0), rows - 4);
+  return {static_cast<std::size_t>(first), 4,
+          lagrange_weights(static_cast<T>(r.index - first) + r.fraction)};
 }
 
 inline constexpr double kIncidentRoundings = 8;
@@ -106,7 +108,7 @@ class IncidentSampler {
   /// The marginal table at a column coordinate.
   T lookup(T column) const {
     const QuantileTable& table = sampler_->tables().marginal;
-    const Cell<T> c = cell_of(column, table.columns());
+    const Cell<T> c = cell_of(column, static_cast<int>(table.columns()));
     if constexpr (std::is_same_v<T, double>)
       if (table.in_double()) return along(table.template row<double>(incident_.rows.first), c);
     return along(table.row(incident_.rows.first), c);

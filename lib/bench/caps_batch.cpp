@@ -1,12 +1,12 @@
 // The kernel of caps_batch(), compiled once for each target.
-#include "caps_batch.h"
+#include "bench/caps_batch.h"
 
 #include <numbers>
 
 #include "batch/batch_kernel.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "caps_batch.cpp"
+#define HWY_TARGET_INCLUDE "bench/caps_batch.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
