@@ -67,7 +67,8 @@ TEST_CASE("tables in double precision are read in double precision") {
   for (std::size_t i = 0; i < single.rows(); ++i)
     for (std::size_t j = 0; j < single.columns(); ++j)
       values.push_back(j == 0 ? 0 : double{single.row(i)[j]} * (1 - 1e-9));
-  tables.marginal = QuantileTable(single.rows(), single.columns(), values, single.blend());
+  tables.marginal =
+      QuantileTable::with_double_values(single.rows(), single.columns(), values, single.blend());
   CHECK(worst_roundings<double>(share(tables)) <= kIncidentRoundings);
 }
 

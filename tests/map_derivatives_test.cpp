@@ -34,7 +34,7 @@ QuantileTable rough_table(std::mt19937& random) {
     }
     for (const double w : row) values.push_back(w / row.back());
   }
-  return {kRows, kColumns, values};
+  return QuantileTable::with_double_values(kRows, kColumns, values);
 }
 
 }  // namespace
@@ -69,8 +69,8 @@ TEST_CASE("a row is inverted to rounding, between rows too") {
 
 TEST_CASE(
     "a value outside a row has its nearer end as inverse, one on a flat part a column of it") {
-  const QuantileTable table(2, 5,
-                            std::vector<double>{0, 0.2, 0.2, 0.2, 0.7, 0, 0.2, 0.2, 0.2, 0.7});
+  const auto table =
+      QuantileTable::with_double_values(2, 5, {0, 0.2, 0.2, 0.2, 0.7, 0, 0.2, 0.2, 0.2, 0.7});
   CHECK(table.inverse(0.5, -1.0) == 0);
   CHECK(table.inverse(0.5, 0.9) == 1);
   const double flat = table.inverse(0.5, 0.2);

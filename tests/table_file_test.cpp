@@ -159,7 +159,8 @@ TEST_CASE("a conditional of one row, its scale and unit, double precision and bl
   const Folder folder;
   SlopeTables tables = small_tables();
   const std::vector<float> single = rows(5, 7);
-  tables.marginal = {5, 7, std::vector<double>(single.begin(), single.end()), RowBlend::cubic};
+  tables.marginal =
+      QuantileTable::with_double_values(5, 7, {single.begin(), single.end()}, RowBlend::cubic);
   tables.conditional = {1, 3, rows(1, 3)};
   tables.conditional_rows = {};
   tables.conditional_quadratic = 0.3;

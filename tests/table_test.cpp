@@ -134,7 +134,7 @@ TEST_CASE("a cubic blend is exact for cubics from row to row, up to the outermos
   const auto height = [](double r) { return 0.2 + 0.3 * r - 0.4 * r * r + 0.5 * r * r * r; };
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < 5; ++j) values.push_back(height(i / 5.0) * j / 4.0);
-  const QuantileTable table(6, 5, values, RowBlend::cubic);
+  const auto table = QuantileTable::with_double_values(6, 5, values, RowBlend::cubic);
   CHECK(table.in_double());
   for (double r = 0; r <= 1; r += 0.01)
     for (const double t : {0.0, 0.3, 0.5, 1.0})
@@ -143,7 +143,7 @@ TEST_CASE("a cubic blend is exact for cubics from row to row, up to the outermos
 
 TEST_CASE("a table in double precision serves both precisions") {
   const std::vector<double> values{0, 1.0 / 3, 1, 0, 2.0 / 3, 1};
-  const QuantileTable table(2, 3, values);
+  const auto table = QuantileTable::with_double_values(2, 3, values);
   CHECK(table.row<double>(0)[1] == 1.0 / 3);
   CHECK(table.row(0)[1] == 1.0f / 3);
   CHECK(table.lookup(0.0, 0.5) == 1.0 / 3);

@@ -161,6 +161,7 @@ Contestant batched(Build build) {
   c.incoherent = [sampler](const SampleBlock& b) {
     sample_batch(sampler, directions(b), AlphaSpans{b.alpha_x, b.alpha_y}, b.u1, b.u2, normals(b));
   };
+  c.setup = setup_from(built);
   c.bytes = sampling_bytes(*built.tables);
   c.build_seconds = seconds;
   c.errors = errors_of(built.certificate);

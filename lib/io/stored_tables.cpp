@@ -218,7 +218,8 @@ QuantileTable table_of(const StoredTables& stored, const std::string& name) {
                       text_of({kMaxTableSide, kMaxTableSide}),
                   kRemake);
   if (adapted(stored) && std::holds_alternative<std::vector<double>>(a.values))
-    return {a.shape[0], a.shape[1], std::get<std::vector<double>>(a.values), blend};
+    return QuantileTable::with_double_values(a.shape[0], a.shape[1],
+                                             std::get<std::vector<double>>(a.values), blend);
   return {a.shape[0], a.shape[1], values_of<std::vector<float>>(a, name), blend};
 }
 

@@ -48,11 +48,10 @@ PlacedTable fill_table(const RowSource& source, const TableLayout& layout, const
   parallel_for(rows.size(), workers, [&](std::size_t i) {
     rows[i] = source.row(axis.base(coordinate(i, layout.rows)), u);
   });
-  placed.table = layout.in_double
-                     ? QuantileTable(layout.rows, layout.columns,
-                                     joined<double>(rows, layout.columns), layout.blend)
-                     : QuantileTable(layout.rows, layout.columns,
-                                     joined<float>(rows, layout.columns), layout.blend);
+  const auto& [count, columns, blend, in_double] = layout;
+  placed.table = in_double ? QuantileTable::with_double_values(count, columns,
+                                                               joined<double>(rows, columns), blend)
+                           : QuantileTable(count, columns, joined<float>(rows, columns), blend);
   return placed;
 }
 

@@ -84,12 +84,13 @@ class QuantileTable {
                 RowBlend blend = RowBlend::linear)
       : rows_(rows), columns_(columns), blend_(blend), single_(padded(values)) {}
 
-  /// In double precision, with a copy in single precision for samplers of that.
-  QuantileTable(std::size_t rows, std::size_t columns, const std::vector<double>& values,
-                RowBlend blend = RowBlend::linear)
-      : rows_(rows), columns_(columns), blend_(blend), double_(padded(values)) {
-    single_.reserve(double_.size());
-    for (const double v : double_) single_.push_back(static_cast<float>(v));
+  /// The same in double precision, with a copy in single precision for samplers of that.
+  static QuantileTable with_double_values(std::size_t rows, std::size_t columns,
+                                          const std::vector<double>& values,
+                                          RowBlend blend = RowBlend::linear) {
+    QuantileTable table(rows, columns, std::vector<float>(values.begin(), values.end()), blend);
+    table.double_ = table.padded(values);
+    return table;
   }
 
   std::size_t rows() const { return rows_; }
