@@ -23,7 +23,7 @@ constexpr std::size_t kCurveNodes = 2048;
 constexpr double kSmallestCurveValue = 1e-300;
 constexpr double kFarthestCurve = 20;
 // A marginal table with a larger fault than this is made again with a map, and the better one kept.
-constexpr double kGoodFault = 2e-6;
+constexpr double kGoodFault = 3e-6;
 // What a tail at 1e-6 that is off by a factor counts against an error in u: 5 % as much as 5e-6.
 constexpr double kTailWeight = 1e-4;
 constexpr std::size_t kMapNodesPerColumn = 4;

@@ -89,7 +89,9 @@ class ExponentialPower final : public SlopeDistribution {
   std::optional<Marginals> marginals(double x) const override;
 
  private:
-  double p_, log_factor_;
+  double p_;
+  int squarings_;  // that make r^p of r; -1 if none do
+  double log_factor_;
 };
 
 /// K (Beckmann whose squared roughness is gamma-distributed), 0 < nu <= 100:
