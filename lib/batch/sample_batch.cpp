@@ -365,10 +365,11 @@ class Sampling {
   BoundedVector marginal_slope(const Incidents& incidents, std::size_t i) const {
     const V sigma = hn::Min(load(sigma_, i), load(incidents.ordered_edge, i));
     const BoundedVector x = from_order({sigma, hn::Sub(set(1.0f), sigma)}, tables_.tail_order);
-    const V edge = load(incidents.edge_sigma, i);
-    const M inner = hn::Lt(x.sigma, edge);
-    return {hn::IfThenElse(inner, x.sigma, edge),
-            hn::IfThenElse(inner, x.complement, load(incidents.edge_complement, i))};
+    const BoundedVector edge{load(incidents.edge_sigma, i), load(incidents.edge_complement, i)};
+    // is_within() of table_coordinates.h
+    const M inner = hn::And(hn::Lt(x.sigma, edge.sigma), hn::Gt(x.complement, edge.complement));
+    return {hn::IfThenElse(inner, x.sigma, edge.sigma),
+            hn::IfThenElse(inner, x.complement, edge.complement)};
   }
 
   /// ConditionalScale::at.

@@ -63,14 +63,12 @@ class IncidentSampler {
     if (!valid(wi, alpha)) return;
     incident_.valid = true;
     // 1. stretch
-    incident_.alpha = {alpha.x * sampler.mean_slope(), alpha.y * sampler.mean_slope()};
-    incident_.phi = azimuth(incident_.alpha.x * wi.x, incident_.alpha.y * wi.y);
-    const BoundedSlope<T> c = bounded_cotangent(wi.z, incident_.phi.length);
-    const BoundedSlope<T>& support = sampler.bounded_support();
-    incident_.edge = c.complement > support.complement ? c : support;
+    const auto s = sampler.stretch(wi, alpha);
+    incident_.alpha = s.alpha;
+    incident_.phi = s.phi;
+    incident_.edge = sampler.farthest(s.c);
     incident_.ordered_edge = to_order(incident_.edge, sampler.tables().tail_order);
-    incident_.rows =
-        weighted_rows(sampler.tables().marginal, sampler.marginal_rows().row(marginal_base(c)));
+    incident_.rows = weighted_rows(sampler.tables().marginal, sampler.marginal_row(s.c));
   }
 
   const TabulatedSampler<T>& sampler() const { return *sampler_; }
@@ -79,18 +77,10 @@ class IncidentSampler {
   /// Draws a normal as TabulatedSampler::sample() does.
   Vec3<T> sample(T u1, T u2) const noexcept {
     if (!incident_.valid) return {T(0), T(0), T(1)};
-    // 2.a marginal
-    const BoundedSlope<T> x = sample_marginal(probability(u1));
-    // 2.b conditional: y is the slope in the table times a scale that depends on x
-    const FoldedProbability<T> folded = fold(probability(u2));
-    const SlopeFraction<T> fx{x.numerator(), x.denominator()},
-        fy = conditional_value_inverse(sampler_->sample_conditional(x, folded.p));
-    const T scale = folded.sign * sampler_->conditional_scale().at(fx);
+    // 2.a marginal, 2.b conditional
+    const auto slope = sampler_->sample_across(sample_marginal(probability(u1)), u2);
     // 3. rotate, 4. unstretch, 5. compute the normal
-    return unstretched_normal(
-        HomogeneousSlope<T>{fx.numerator * fy.denominator, scale * fy.numerator,
-                            fx.denominator * fy.denominator},
-        incident_.phi, incident_.alpha);
+    return unstretched_normal(slope, incident_.phi, incident_.alpha);
   }
 
  private:
@@ -102,7 +92,7 @@ class IncidentSampler {
     const BoundedSlope<T> ordered =
         bounded_from_sigma(std::min(sigma, incident_.ordered_edge.sigma));
     const BoundedSlope<T> x = from_order(ordered, sampler_->tables().tail_order);
-    return x.sigma < incident_.edge.sigma ? x : incident_.edge;
+    return is_within(x, incident_.edge) ? x : incident_.edge;
   }
 
   /// The marginal table at a column coordinate.

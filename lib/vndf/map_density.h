@@ -79,24 +79,6 @@ std::optional<Vec2<T>> TabulatedSampler<T>::invert(const Vec3<T>& wi, const Vec3
                                              columns->sign})};
 }
 
-template <class T>
-auto TabulatedSampler<T>::stretch(const Vec3<T>& wi, const Alpha<T>& alpha) const -> Stretched {
-  const Alpha<T> a = normalized(alpha);
-  const Azimuth<T> phi = azimuth(a.x * wi.x, a.y * wi.y);
-  return {a, phi, bounded_cotangent(wi.z, phi.length)};
-}
-
-template <class T>
-T TabulatedSampler<T>::marginal_row(const BoundedSlope<T>& c) const {
-  return marginal_rows_.row(marginal_base(c));
-}
-
-template <class T>
-T TabulatedSampler<T>::conditional_row(const BoundedSlope<T>& x) const {
-  if (tables_->conditional.rows() == 1) return T(0);
-  return conditional_rows_.row(conditional_base(x, conditional_unit_));
-}
-
 /// sample_marginal() with its differentials; that of sigma is 0 where it is held at the farthest.
 template <class T>
 auto TabulatedSampler<T>::marginal_step(const BoundedSlope<T>& c, T column) const -> MarginalStep {
@@ -110,7 +92,7 @@ auto TabulatedSampler<T>::marginal_step(const BoundedSlope<T>& c, T column) cons
   if (!(sigma.value < to_order(edge, order).sigma)) return {edge, du1, T(0)};
   const BoundedSlope<T> ordered = bounded_from_sigma(sigma.value);
   const BoundedSlope<T> x = from_order(ordered, order);
-  if (!(x.sigma < edge.sigma)) return {edge, du1, T(0)};
+  if (!is_within(x, edge)) return {edge, du1, T(0)};
   return {x, du1, w.derivative * sigma.derivative * from_order_derivative(ordered, order)};
 }
 
@@ -135,8 +117,7 @@ SampledNormal<T> TabulatedSampler<T>::sample_at(const Stretched& s, const Column
   const ConditionalStep k = conditional_step(conditional_row(m.x), columns.conditional);
   const SlopeFraction<T> x{m.x.numerator(), m.x.denominator()}, y = conditional_value_inverse(k.v);
   const T scale = conditional_scale_.at(x);
-  const HomogeneousSlope<T> slope{x.numerator * y.denominator, columns.sign * scale * y.numerator,
-                                  x.denominator * y.denominator};
+  const HomogeneousSlope<T> slope = joined_slope(x, columns.sign * scale, y);
   // 3. rotate, 4. unstretch, 5. compute the normal, and the density
   const Vec3<T> normal = unstretched(slope, s.phi, s.alpha);
   const T length = std::sqrt(dot(normal, normal));
@@ -181,11 +162,10 @@ bool TabulatedSampler<T>::in_range(const Stretched& s, const Columns& columns,
   const BoundedSlope<T> near_x = columns.marginal < T(1) ? x : marginal_step(s.c, T(1)).x;
   const T end = tables_->conditional.lookup(conditional_row(x), T(1));
   const auto unit = [&](const BoundedSlope<T>& at, T value) {
-    const SlopeFraction<T> fx{at.numerator(), at.denominator()},
-        fy = conditional_value_inverse(value);
-    return normalize_or_up(Vec3<T>{fx.numerator * fy.denominator,
-                                   conditional_scale_.at(fx) * fy.numerator,
-                                   fx.denominator * fy.denominator});
+    const SlopeFraction<T> fx{at.numerator(), at.denominator()};
+    const auto slope =
+        joined_slope(fx, conditional_scale_.at(fx), conditional_value_inverse(value));
+    return normalize_or_up(Vec3<T>{slope.x, slope.y, slope.w});
   };
   const Vec3<T> m = unit(x, v), n = unit(near_x, std::min(v, end));
   return std::abs(m.x - n.x) + std::abs(m.y - n.y) + std::abs(m.z - n.z) <= kRangeSlack<T>;

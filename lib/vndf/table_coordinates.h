@@ -61,6 +61,13 @@ BoundedSlope<T> bounded_from_sigma(T sigma) {
   return {sigma, T(1) - sigma};
 }
 
+/// Whether `x` lies below `edge`, by both: near 1 sigma is rounded more coarsely than its
+/// complement, which may be beyond the edge's.
+template <class T>
+bool is_within(const BoundedSlope<T>& x, const BoundedSlope<T>& edge) {
+  return x.sigma < edge.sigma && x.complement > edge.complement;
+}
+
 /// The bounded form of any slope, infinite ones included.
 template <class T>
 BoundedSlope<T> bounded_from_slope(T slope) {

@@ -29,6 +29,12 @@ struct SampledNormal {
   T pdf;
 };
 
+/// The slope (x, scale y), with `scale` times the denominator of x as ConditionalScale gives it.
+template <class T>
+HomogeneousSlope<T> joined_slope(const SlopeFraction<T>& x, T scale, const SlopeFraction<T>& y) {
+  return {x.numerator * y.denominator, scale * y.numerator, x.denominator * y.denominator};
+}
+
 template <class T>
 class TabulatedSampler {
  public:
@@ -59,24 +65,26 @@ class TabulatedSampler {
   Vec3<T> sample(const Vec3<T>& wi, const Alpha<T>& alpha, T u1, T u2) const noexcept {
     if (!valid(wi, alpha)) return {T(0), T(0), T(1)};
     // 1. stretch
-    const Alpha<T> a = normalized(alpha);
-    const Azimuth<T> phi = azimuth(a.x * wi.x, a.y * wi.y);
+    const Stretched s = stretch(wi, alpha);
     // 2. sample the slope of the stretched configuration
-    const HomogeneousSlope<T> slope = sample_slope(bounded_cotangent(wi.z, phi.length), u1, u2);
+    const HomogeneousSlope<T> slope = sample_slope(s.c, u1, u2);
     // 3. rotate, 4. unstretch, 5. compute the normal
-    return unstretched_normal(slope, phi, a);
+    return unstretched_normal(slope, s.phi, s.alpha);
   }
 
   /// Steps 2.a and 2.b of Algorithm 4: the slope seen from cotangent `c`, both at unit mean slope.
   HomogeneousSlope<T> sample_slope(const BoundedSlope<T>& c, T u1, T u2) const noexcept {
     // 2.a marginal
-    const BoundedSlope<T> x = sample_marginal(c, probability(u1));
-    // 2.b conditional: y is the slope in the table times a scale that depends on x
+    // 2.b conditional
+    return sample_across(sample_marginal(c, probability(u1)), u2);
+  }
+
+  /// Step 2.b: y, the slope in the table times a scale that depends on x, beside the slope `x`.
+  HomogeneousSlope<T> sample_across(const BoundedSlope<T>& x, T u2) const noexcept {
     const FoldedProbability<T> folded = fold(probability(u2));
     const T v = sample_conditional(x, folded.p);
-    const SlopeFraction<T> fx{x.numerator(), x.denominator()}, fy = conditional_value_inverse(v);
-    const T scale = folded.sign * conditional_scale_.at(fx);
-    return {fx.numerator * fy.denominator, scale * fy.numerator, fx.denominator * fy.denominator};
+    const SlopeFraction<T> fx{x.numerator(), x.denominator()};
+    return joined_slope(fx, folded.sign * conditional_scale_.at(fx), conditional_value_inverse(v));
   }
 
   /// The marginal quantile at u1, in units of the mean slope; at most the slope `c`.
@@ -85,8 +93,7 @@ class TabulatedSampler {
     const BoundedSlope<T> x = from_order(sample_ordered_marginal(c, u1), tables_->tail_order);
     // The edge itself, not what its rounded sigma decodes to: that of a far edge may be infinite.
     const BoundedSlope<T>& edge = farthest(c);
-    // Near 1 sigma is rounded more coarsely than its complement, which may be beyond the edge's.
-    return x.sigma < edge.sigma && x.complement > edge.complement ? x : edge;
+    return is_within(x, edge) ? x : edge;
   }
 
   /// The same at the order of the table, where it does not leave the range of T.
@@ -94,8 +101,7 @@ class TabulatedSampler {
                                           const Probability<T>& u1) const noexcept {
     const int order = tables_->tail_order;
     const BoundedSlope<T>& edge = farthest(c);
-    const T row = marginal_rows_.row(marginal_base(c));
-    const T w = tables_->marginal.lookup(row, marginal_column(u1));
+    const T w = tables_->marginal.lookup(marginal_row(c), marginal_column(u1));
     const T sigma = marginal_map_.identity() ? edge.sigma * w : marginal_map_.at(w);
     return bounded_from_sigma(std::min(sigma, to_order(edge, order).sigma));
   }
@@ -103,10 +109,7 @@ class TabulatedSampler {
   /// The value v = 2 sigma - 1 of |y| / scale that a sampled |y| stays below with probability p:
   /// |y| = scale(x) conditional_value_inverse(v).
   T sample_conditional(const BoundedSlope<T>& x, const Probability<T>& p) const noexcept {
-    const T column = conditional_column(p);
-    if (tables_->conditional.rows() == 1) return tables_->conditional.lookup(T(0), column);
-    return tables_->conditional.lookup(
-        conditional_rows_.row(conditional_base(x, conditional_unit_)), column);
+    return tables_->conditional.lookup(conditional_row(x), conditional_column(p));
   }
 
   /// Density of normals D(wm) per solid angle; 0 for a horizontal or back-facing normal.
@@ -177,16 +180,33 @@ class TabulatedSampler {
   T conditional_unit() const { return conditional_unit_; }
   const ConditionalScale<T>& conditional_scale() const { return conditional_scale_; }
 
- private:
-  /// Columns of the two tables, and the sign of slope_y: what u1 and u2 stand for.
-  struct Columns {
-    T marginal, conditional, sign;
-  };
-  /// The stretched configuration: incident direction and roughness.
+  /// The largest slope seen from cotangent `c`.
+  const BoundedSlope<T>& farthest(const BoundedSlope<T>& c) const {
+    return c.complement > bounded_support_.complement ? c : bounded_support_;
+  }
+  /// Row coordinates of the tables.
+  T marginal_row(const BoundedSlope<T>& c) const { return marginal_rows_.row(marginal_base(c)); }
+  T conditional_row(const BoundedSlope<T>& x) const {
+    if (tables_->conditional.rows() == 1) return T(0);
+    return conditional_rows_.row(conditional_base(x, conditional_unit_));
+  }
+
+  /// Step 1: the stretched configuration, roughness in units in which the mean slope is 1.
   struct Stretched {
     Alpha<T> alpha;
     Azimuth<T> phi;
     BoundedSlope<T> c;
+  };
+  Stretched stretch(const Vec3<T>& wi, const Alpha<T>& alpha) const {
+    const Alpha<T> a = normalized(alpha);
+    const Azimuth<T> phi = azimuth(a.x * wi.x, a.y * wi.y);
+    return {a, phi, bounded_cotangent(wi.z, phi.length)};
+  }
+
+ private:
+  /// Columns of the two tables, and the sign of slope_y: what u1 and u2 stand for.
+  struct Columns {
+    T marginal, conditional, sign;
   };
   /// The two steps of the map with their differentials along the column.
   struct MarginalStep {
@@ -197,20 +217,12 @@ class TabulatedSampler {
     T v, du2, dv;
   };
 
-  Stretched stretch(const Vec3<T>& wi, const Alpha<T>& alpha) const;
   MarginalStep marginal_step(const BoundedSlope<T>& c, T column) const;
   ConditionalStep conditional_step(T row, T column) const;
-  T marginal_row(const BoundedSlope<T>& c) const;
-  T conditional_row(const BoundedSlope<T>& x) const;
   T marginal_value(const BoundedSlope<T>& x, const BoundedSlope<T>& c) const;
   SampledNormal<T> sample_at(const Stretched& s, const Columns& columns) const;
   std::optional<Columns> columns_of(const Stretched& s, const Vec3<T>& wm) const;
   bool in_range(const Stretched& s, const Columns& columns, const BoundedSlope<T>& x, T v) const;
-
-  /// The largest slope seen from cotangent `c`.
-  const BoundedSlope<T>& farthest(const BoundedSlope<T>& c) const {
-    return c.complement > bounded_support_.complement ? c : bounded_support_;
-  }
 
   /// Roughness in units in which the mean slope is 1.
   Alpha<T> normalized(const Alpha<T>& alpha) const {
