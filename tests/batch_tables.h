@@ -16,7 +16,7 @@ namespace vndf::test {
 
 /// A table whose rows u^(1 + row / 2) are smooth in both coordinates and increase from 0 to `end`.
 inline QuantileTable power_table(std::size_t rows, std::size_t columns, RowBlend blend,
-                                 double end = 1) {
+                                 double end = 1, Tangents tangents = Tangents::five_points) {
   std::vector<float> values;
   for (std::size_t i = 0; i < rows; ++i)
     for (std::size_t j = 0; j < columns; ++j) {
@@ -24,7 +24,11 @@ inline QuantileTable power_table(std::size_t rows, std::size_t columns, RowBlend
       const double t = static_cast<double>(j) / static_cast<double>(columns - 1);
       values.push_back(static_cast<float>(end * std::pow(t, 1 + r / 2)));
     }
-  return {rows, columns, values, blend};
+  return {rows, columns, values, blend, tangents};
+}
+
+inline QuantileTable conditional_table(std::size_t rows, std::size_t columns, RowBlend blend) {
+  return power_table(rows, columns, blend, 0.999, Tangents::five_points_even);
 }
 
 inline SlopeTables plain_tables() {
@@ -33,7 +37,7 @@ inline SlopeTables plain_tables() {
   tables.distribution = "cubic rows, conditional of one row";
   tables.mean_slope = 0.7;
   tables.marginal = power_table(12, 40, RowBlend::cubic);
-  tables.conditional = power_table(1, 24, RowBlend::linear, 0.999);
+  tables.conditional = conditional_table(1, 24, RowBlend::linear);
   tables.log_ndf = curve;
   tables.log_backfacing = curve;
   return tables;
@@ -49,13 +53,13 @@ inline std::vector<std::shared_ptr<const SlopeTables>> all_kinds_of_tables() {
   };
   add("linear rows with knots", [](SlopeTables& t) {
     t.marginal = power_table(9, 17, RowBlend::linear);
-    t.conditional = power_table(2, 3, RowBlend::linear);
+    t.conditional = conditional_table(2, 3, RowBlend::linear);
     t.marginal_rows = {{0, 0}, {0.25, 0.5}, {0.5, 0.625}, {0.875, 1}};
     t.conditional_rows = {{0, 0}, {0.75, 1}};
     t.conditional_unit = 2.5;
   });
   add("cubic conditional", [](SlopeTables& t) {
-    t.conditional = power_table(4, 31, RowBlend::cubic);
+    t.conditional = conditional_table(4, 31, RowBlend::cubic);
     t.conditional_quadratic = 0.25;
   });
   add("marginal of one row",

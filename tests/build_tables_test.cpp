@@ -24,7 +24,7 @@ namespace {
 bool same_bits(const QuantileTable& a, const QuantileTable& b) {
   if (a.rows() != b.rows() || a.columns() != b.columns()) return false;
   for (std::size_t i = 0; i < a.rows(); ++i)
-    if (std::memcmp(a.row(i), b.row(i), a.columns() * sizeof(float)) != 0) return false;
+    if (a.row_values(i) != b.row_values(i)) return false;
   return true;
 }
 
@@ -60,7 +60,8 @@ TEST_CASE("every entry of the marginal table is the quantile at its node") {
     const auto c = marginal_base_inverse(static_cast<double>(i) / last_row);
     for (std::size_t j = 1; j + 1 < tables.marginal.columns(); ++j) {
       const auto u = marginal_column_inverse(static_cast<double>(j) / last_column);
-      const double x = bounded_from_sigma(c.sigma * double{tables.marginal.row(i)[j]}).slope();
+      const double x =
+          bounded_from_sigma(c.sigma * double{tables.marginal.row(i)[j].value}).slope();
       const double cosine = c.numerator() / c.hypotenuse(), sine = c.denominator() / c.hypotenuse();
       CAPTURE(i, j);
       // The value is stored in single precision: half a unit in its last place, times at most 4.

@@ -83,7 +83,7 @@ TEST_CASE("rescaled families have the same shape, and differ in the mean slope")
     CHECK(ta.mean_slope / tb.mean_slope == Approx(ratio).epsilon(1e-10));
     for (std::size_t i = 0; i < ta.marginal.rows(); ++i)
       for (std::size_t j = 0; j < ta.marginal.columns(); ++j)
-        REQUIRE(std::abs(ta.marginal.row(i)[j] - tb.marginal.row(i)[j]) < 2e-7f);
+        REQUIRE(std::abs(ta.marginal.row(i)[j].value - tb.marginal.row(i)[j].value) < 2e-7f);
   };
   same_shape("hyper-cauchy:q=1.75", "student-t:gamma=1.75", std::sqrt(2 / 0.75));
   same_shape("blinn-phong:n=50", "student-t:gamma=27", std::sqrt(2.0 / 52));

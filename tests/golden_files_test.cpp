@@ -1,5 +1,5 @@
 // Files of every released version of the format, which all later versions must read. Each holds the
-// tables of `vndf build NAME --size 12x16`.
+// tables of `vndf build NAME --size 12x16`, with `--rows cubic` where its name or version says so.
 #include <string>
 
 #include "catch.h"
@@ -44,8 +44,19 @@ TEST_CASE("files of version 1.1, with a map, are read, and err by what their cer
   check_golden("mixture-1.1.exr", spec);
 }
 
+TEST_CASE(
+    "files of version 1.1, with cubic rows, are read, and err by what their certificates say") {
+  check_golden("ggx-cubic-1.1.h5", "ggx");
+  check_golden("ggx-cubic-1.1.exr", "ggx");
+}
+
+TEST_CASE("files of version 1.2, with tangents by five points, are read, and err as they say") {
+  check_golden("ggx-1.2.h5", "ggx");
+  check_golden("ggx-1.2.exr", "ggx");
+}
+
 TEST_CASE("the golden files of both containers hold the same tables") {
-  for (const std::string name : {"ggx-1.0", "mixture-1.1"})
+  for (const std::string name : {"ggx-1.0", "mixture-1.1", "ggx-cubic-1.1", "ggx-1.2"})
     CHECK(io::content_checksum(*io::load(kFolder + "/" + name + ".h5").tables) ==
           io::content_checksum(*io::load(kFolder + "/" + name + ".exr").tables));
 }

@@ -36,9 +36,9 @@ const precompute::BuiltTables& medium(const std::string& spec) {
   return cache.emplace(spec, built(spec, {.rows = 64, .columns = 64})).first->second;
 }
 
-/// Tables of 16 x 16, whose u-error is above 1e-3.
+/// Tables of 12 x 12, whose u-error is above 1e-3.
 const precompute::BuiltTables& tiny_ggx() {
-  static const auto tables = built("ggx", {.rows = 16, .columns = 16});
+  static const auto tables = built("ggx", {.rows = 12, .columns = 12});
   return tables;
 }
 
@@ -244,7 +244,7 @@ SlopeTables with_plateau(const SlopeTables& from, std::size_t first, std::size_t
   const QuantileTable& t = from.marginal;
   for (std::size_t i = 0; i < t.rows(); ++i)
     for (std::size_t j = 0; j < t.columns(); ++j)
-      values.push_back(t.row(i)[j > first && j <= last ? first : j]);
+      values.push_back(t.row(i)[j > first && j <= last ? first : j].value);
   tables.marginal = QuantileTable(t.rows(), t.columns(), values);
   return tables;
 }

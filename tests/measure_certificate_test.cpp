@@ -37,8 +37,9 @@ QuantileTable changed(const QuantileTable& table,
                       const std::function<float(const float* row, std::size_t column)>& value) {
   std::vector<float> values;
   for (std::size_t i = 0; i < table.rows(); ++i)
-    for (std::size_t j = 0; j < table.columns(); ++j) values.push_back(value(table.row(i), j));
-  return {table.rows(), table.columns(), values};
+    for (std::size_t j = 0; j < table.columns(); ++j)
+      values.push_back(value(table.row_values(i).data(), j));
+  return {table.rows(), table.columns(), values, table.blend(), table.tangents()};
 }
 
 Certificate judge(const std::string& distribution, SlopeTables tables) {

@@ -19,7 +19,7 @@ SlopeTables good_tables() {
   return {.distribution = "test",
           .mean_slope = 1,
           .marginal = QuantileTable(2, 3, kRows),
-          .conditional = QuantileTable(2, 3, kRows),
+          .conditional = QuantileTable(2, 3, kRows, RowBlend::linear, Tangents::five_points_even),
           .marginal_rows = {},
           .conditional_rows = {},
           .log_ndf = curve,
@@ -36,6 +36,12 @@ std::string refusal(std::size_t row, std::size_t column, float value) {
 }
 
 }  // namespace
+
+TEST_CASE("tables whose tangents are not of one kind are refused") {
+  SlopeTables tables = good_tables();
+  tables.conditional = tables.marginal;
+  CHECK_THROWS_WITH(share(tables), contains("conditional_tangents()"));
+}
 
 TEST_CASE("good tables are shared") {
   CHECK(share(good_tables())->distribution == "test");

@@ -40,13 +40,16 @@ LogCurve<double> curve() {
   return {{segment}, true};
 }
 
+QuantileTable conditional(std::size_t height, std::size_t width) {
+  return {height, width, rows(), RowBlend::linear, Tangents::five_points_even};
+}
+
 TableFile good_file() {
-  const QuantileTable table(kRows, kColumns, rows());
   const std::vector<RowKnot> knots{{0, 0}, {0.5, 0.25}, {1, 1}};
   return {share({.distribution = "test",
                  .mean_slope = 1.5,
-                 .marginal = table,
-                 .conditional = table,
+                 .marginal = {kRows, kColumns, rows()},
+                 .conditional = conditional(kRows, kColumns),
                  .marginal_rows = knots,
                  .conditional_rows = {},
                  .log_ndf = curve(),
@@ -233,7 +236,7 @@ TEST_CASE("the content checksum depends on all that sampling depends on, and on 
   };
   CHECK(differs([](SlopeTables& t) { t.mean_slope = 0.5; }));
   CHECK(differs([](SlopeTables& t) { t.marginal = {kColumns, kRows, rows()}; }));
-  CHECK(differs([](SlopeTables& t) { t.conditional = {kRows / 2, kColumns * 2, rows()}; }));
+  CHECK(differs([](SlopeTables& t) { t.conditional = conditional(kRows / 2, kColumns * 2); }));
   CHECK(differs([](SlopeTables& t) { t.support = 9; }));
   CHECK(differs([](SlopeTables& t) { t.tail_order = 4; }));
   CHECK(differs([](SlopeTables& t) { t.marginal_rows = {}; }));

@@ -1,9 +1,9 @@
 // The kernels of sample_batch(), compiled once for each target, and their dispatch.
 //
-// A table is not gathered lane by lane: of each sample one short vector, the four neighbours in a
-// row, is loaded from each of the rows around and blended there, and a step of its own turns the
-// blends of all samples into four vectors. That takes 4 loads a sample where gathers take 16, and
-// is the same on every target.
+// A table is not gathered lane by lane: of each sample one short vector, the two neighbouring nodes
+// of a row, is loaded from each of the rows around and blended there, and a step of its own turns
+// the blends of all samples into four vectors. That takes 4 loads a sample where gathers take 16,
+// and is the same on every target.
 #include "batch/sample_batch.h"
 
 #include <algorithm>
@@ -65,17 +65,12 @@ CellVector cell_of(V coordinate, std::size_t cells) {
   return {index, hn::Sub(scaled, hn::ConvertTo(d, index))};
 }
 
-/// vndf::monotone_cubic.
-V tangent(V left, V right) {
-  const V central = hn::Mul(set(0.5f), hn::Add(left, right));
-  return hn::Max(hn::Zero(d), hn::Min(central, hn::Mul(set(3.0f), hn::Min(left, right))));
-}
-V monotone_cubic(V w0, V w1, V w2, V w3, V fraction) {
-  const V secant = hn::Sub(w2, w1);
-  const V m1 = tangent(hn::Sub(w1, w0), secant), m2 = tangent(secant, hn::Sub(w3, w2));
-  const V c2 = hn::NegMulAdd(set(2.0f), m1, hn::MulSub(set(3.0f), secant, m2));
-  const V c3 = hn::NegMulAdd(set(2.0f), secant, hn::Add(m1, m2));
-  return hn::MulAdd(fraction, hn::MulAdd(fraction, hn::MulAdd(fraction, c3, c2), m1), w1);
+/// vndf::hermite_piece, at a fraction of the piece.
+V hermite(V v0, V t0, V v1, V t1, V fraction) {
+  const V secant = hn::Sub(v1, v0);
+  const V c3 = hn::NegMulAdd(set(2.0f), secant, hn::Add(t0, t1));
+  const V c2 = hn::Sub(hn::Sub(secant, t0), c3);
+  return hn::MulAdd(fraction, hn::MulAdd(fraction, hn::MulAdd(fraction, c3, c2), t0), v0);
 }
 
 /// The row coordinate of a base coordinate (RowAxis::row).
@@ -110,19 +105,22 @@ struct Places {
 /// vndf::weighted_rows.
 void place_rows(const QuantileTable& table, V coordinate, Rows& rows, std::size_t i) {
   if (table.rows() == 1) return hn::Store(hn::Zero(di), di, rows.begin.data() + i);
-  const CellVector r = cell_of(coordinate, table.rows() - 1);
-  const auto stride = hn::Set(di, static_cast<std::int32_t>(table.columns() + 2));
+  const auto stride = hn::Set(di, static_cast<std::int32_t>(2 * table.columns()));
   if (table.blend() == RowBlend::linear) {
+    const CellVector r = cell_of(coordinate, table.rows() - 1);
     hn::Store(hn::Mul(r.index, stride), di, rows.begin.data() + i);
     store(r.fraction, rows.weights[1], i);
     return store(hn::Sub(set(1.0f), r.fraction), rows.weights[0], i);
   }
-  const auto last = hn::Set(di, static_cast<std::int32_t>(table.rows() - 4));
-  const auto before = hn::Sub(r.index, hn::Set(di, 1));
-  const auto first = hn::Min(hn::Max(before, hn::Zero(di)), last);
-  hn::Store(hn::Mul(first, stride), di, rows.begin.data() + i);
-  const V x = hn::Add(hn::ConvertTo(d, hn::Sub(r.index, first)), r.fraction);
-  const V x1 = hn::Sub(x, set(1.0f)), x2 = hn::Sub(x, set(2.0f)), x3 = hn::Sub(x, set(3.0f));
+  // vndf::lagrange_rows
+  const V last = set(table.rows() - 1);
+  const V scaled =
+      hn::IfThenElseZero(hn::Gt(coordinate, hn::Zero(d)), hn::Min(hn::Mul(coordinate, last), last));
+  const auto second =
+      hn::ConvertTo(di, hn::Max(hn::Min(scaled, hn::Sub(last, set(2.0f))), set(1.0f)));
+  hn::Store(hn::Mul(hn::Sub(second, hn::Set(di, 1)), stride), di, rows.begin.data() + i);
+  const V x1 = hn::Sub(scaled, hn::ConvertTo(d, second));
+  const V x = hn::Add(x1, set(1.0f)), x2 = hn::Sub(x1, set(1.0f)), x3 = hn::Sub(x1, set(2.0f));
   const V low = hn::Mul(x, x1), high = hn::Mul(x2, x3);
   store(hn::Mul(hn::Mul(x1, high), set(-1.0f / 6)), rows.weights[0], i);
   store(hn::Mul(hn::Mul(x, high), set(0.5f)), rows.weights[1], i);
@@ -134,7 +132,8 @@ void place_rows(const QuantileTable& table, V coordinate, Rows& rows, std::size_
 void place_column(const QuantileTable& table, V coordinate, const Rows& rows, Places& places,
                   std::size_t i) {
   const CellVector c = cell_of(coordinate, table.columns() - 1);
-  hn::Store(hn::Add(c.index, hn::Load(di, rows.begin.data() + i)), di, places.begin.data() + i);
+  const auto in_row = hn::ShiftLeft<1>(c.index);  // a node is two numbers
+  hn::Store(hn::Add(in_row, hn::Load(di, rows.begin.data() + i)), di, places.begin.data() + i);
   store(c.fraction, places.fraction, i);
 }
 
@@ -156,19 +155,23 @@ void blend_rows(const float* values, std::size_t stride, const Rows& rows, Place
 }
 
 void blend(const QuantileTable& table, const Rows& rows, Places& places, std::size_t n) {
-  // A row has one value before it.
-  const float* values = table.row(0) - 1;
-  const std::size_t stride = table.columns() + 2;
+  const float* values = &table.row(0)->value;
+  const std::size_t stride = 2 * table.columns();
   if (table.rows() == 1) return blend_rows<1>(values, stride, rows, places, n);
   if (table.blend() == RowBlend::linear) return blend_rows<2>(values, stride, rows, places, n);
   blend_rows<4>(values, stride, rows, places, n);
 }
 
 /// The values of the table, in [0, 1].
-V value(const Places& places, std::size_t i) {
-  V w0, w1, w2, w3;
-  hn::LoadInterleaved4(d, &places.four[4 * i], w0, w1, w2, w3);
-  return clamped(monotone_cubic(w0, w1, w2, w3, load(places.fraction, i)));
+V value(const QuantileTable& table, const Places& places, std::size_t i) {
+  V v0, t0, v1, t1;
+  hn::LoadInterleaved4(d, &places.four[4 * i], v0, t0, v1, t1);
+  if (table.rows() > 1 && table.blend() == RowBlend::cubic) {  // vndf::with_limited_tangents
+    const V most = hn::Mul(set(3.0f), hn::Sub(v1, v0));
+    t0 = hn::Max(hn::Min(t0, most), hn::Zero(d));
+    t1 = hn::Max(hn::Min(t1, most), hn::Zero(d));
+  }
+  return clamped(hermite(v0, t0, v1, t1, load(places.fraction, i)));
 }
 
 /// u in [0, 1]; not a number becomes 0.
@@ -323,14 +326,15 @@ class Sampling {
 
   void unmapped_marginal(const Incidents& incidents, std::size_t n) {
     for (std::size_t i = 0; i < n; i += hn::Lanes(d))
-      store(hn::Mul(load(incidents.edge_sigma, i), value(marginal_, i)), sigma_, i);
+      store(hn::Mul(load(incidents.edge_sigma, i), value(tables_.marginal, marginal_, i)), sigma_,
+            i);
   }
 
   /// sigma_n by the map: its pieces are read as a table is, four coefficients at once.
   void mapped_marginal(std::size_t n) {
     const MonotoneMap<float>& map = sampler_.marginal_map();
     for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
-      const CellVector piece = cell_of(value(marginal_, i), map.pieces());
+      const CellVector piece = cell_of(value(tables_.marginal, marginal_, i), map.pieces());
       hn::Store(hn::ShiftLeft<2>(piece.index), di, pieces_.begin.data() + i);
       store(piece.fraction, pieces_.fraction, i);
     }
@@ -366,10 +370,8 @@ class Sampling {
     const V sigma = hn::Min(load(sigma_, i), load(incidents.ordered_edge, i));
     const BoundedVector x = from_order({sigma, hn::Sub(set(1.0f), sigma)}, tables_.tail_order);
     const BoundedVector edge{load(incidents.edge_sigma, i), load(incidents.edge_complement, i)};
-    // is_within() of table_coordinates.h
-    const M inner = hn::And(hn::Lt(x.sigma, edge.sigma), hn::Gt(x.complement, edge.complement));
-    return {hn::IfThenElse(inner, x.sigma, edge.sigma),
-            hn::IfThenElse(inner, x.complement, edge.complement)};
+    // vndf::held_below
+    return {hn::Min(x.sigma, edge.sigma), hn::Max(x.complement, edge.complement)};
   }
 
   /// ConditionalScale::at.
@@ -397,7 +399,7 @@ class Sampling {
           *out_z = samples_.z.block(begin);
     for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
       // vndf::conditional_value_inverse, over the common denominator of x and y
-      const V v = value(conditional_, i), one = set(1.0f);
+      const V v = value(tables_.conditional, conditional_, i), one = set(1.0f);
       const V under = hn::Mul(hn::Sub(one, v), hn::Add(one, v));
       const V slope_x = hn::Mul(load(numerator_, i), under);
       const V slope_y = hn::Mul(load(scale_, i), hn::Add(v, v));
@@ -488,7 +490,7 @@ void sample_repeated_directions(const TabulatedSampler<float>& sampler, Directio
 
 void sample_incident(const IncidentSampler<float>& sampler, Samples& samples) {
   const Incident<float>& incident = sampler.incident();
-  const std::size_t stride = sampler.sampler().tables().marginal.columns() + 2;
+  const std::size_t stride = 2 * sampler.sampler().tables().marginal.columns();
   Incidents all;
   all.valid.at.fill(incident.valid ? 1.0f : 0.0f);
   all.alpha_x.at.fill(incident.alpha.x);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -47,8 +48,10 @@ template <class V>
 std::vector<V> values_of(const QuantileTable& table) {
   std::vector<V> values;
   values.reserve(table.rows() * table.columns());
-  for (std::size_t i = 0; i < table.rows(); ++i)
-    values.insert(values.end(), table.row<V>(i), table.row<V>(i) + table.columns());
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const auto row = table.row_values<V>(i);
+    values.insert(values.end(), row.begin(), row.end());
+  }
   return values;
 }
 
@@ -159,14 +162,22 @@ const Values& values_of(const Array& array, const std::string& name) {
   throw Refusal("the values of the array '" + name + "' are not " + kTypeName<Values>, kRemake);
 }
 
-void check_named(const StoredTables& stored, const std::string& name,
-                 const std::vector<std::string>& known) {
-  const auto& found = attribute<std::string>(stored, name);
-  if (std::find(known.begin(), known.end(), found) != known.end()) return;
-  std::string names;
-  for (const auto& k : known) names += (names.empty() ? "'" : " and '") + k + "'";
-  throw Refusal("its " + name + " '" + found + "' is unknown to this program, which knows " + names,
-                "use the program that wrote it, or make the file again");
+std::string listed(const std::vector<std::string>& names) {
+  std::ostringstream list;
+  for (std::size_t i = 0; i < names.size(); ++i) list << (i > 0 ? ", '" : "'") << names[i] << "'";
+  return list.str();
+}
+
+Refusal unknown(const std::string& attribute, const std::string& name, const std::string& known) {
+  return Refusal(
+      "its " + attribute + " '" + name + "' is unknown to this program, which knows " + known,
+      "use the program that wrote it, or make the file again");
+}
+
+void check_coordinates(const StoredTables& stored) {
+  const auto& name = attribute<std::string>(stored, "coordinates");
+  if (name == kCoordinates || name == kAdaptedCoordinates) return;
+  throw unknown("coordinates", name, listed({kCoordinates, kAdaptedCoordinates}));
 }
 
 void check_version(const StoredTables& stored) {
@@ -186,27 +197,30 @@ void check_identity(const StoredTables& stored) {
                       "', so another program wrote it",
                   "give a file written by vndf");
   check_version(stored);
-  check_named(stored, "coordinates", {kCoordinates, kAdaptedCoordinates});
-  const auto& names = kInterpolations;
-  check_named(stored, "interpolation", {names[0][0], names[0][1], names[1][0], names[1][1]});
+  check_coordinates(stored);
 }
 
 bool adapted(const StoredTables& stored) {
   return attribute<std::string>(stored, "coordinates") == kAdaptedCoordinates;
 }
 
-RowBlend blend_of(const StoredTables& stored, const std::string& table) {
+/// The entry of kInterpolations that a file names.
+Interpolation interpolation_of(const StoredTables& stored) {
   const auto& name = attribute<std::string>(stored, "interpolation");
-  for (int marginal = 0; marginal < 2; ++marginal)
-    for (int conditional = 0; conditional < 2; ++conditional)
-      if (name == kInterpolations[marginal][conditional])
-        return static_cast<RowBlend>(table == "marginal" ? marginal : conditional);
-  return RowBlend::linear;
+  const auto found = std::find_if(std::begin(kInterpolations), std::end(kInterpolations),
+                                  [&](const Interpolation& i) { return name == i.name; });
+  if (found != std::end(kInterpolations)) return *found;
+  std::vector<std::string> names;
+  for (const auto& known : kInterpolations) names.push_back(known.name);
+  throw unknown("interpolation", name, listed(names));
 }
 
 QuantileTable table_of(const StoredTables& stored, const std::string& name) {
   const Array& a = array(stored, name);
-  const RowBlend blend = blend_of(stored, name);
+  const Interpolation how = interpolation_of(stored);
+  const bool marginal = name == "marginal";
+  const RowBlend blend = marginal ? how.marginal : how.conditional;
+  const Tangents tangents = marginal ? how.tangents : conditional_tangents(how.tangents);
   const std::size_t least = blend == RowBlend::cubic ? 4 : 2;
   const auto in_range = [](std::size_t n, std::size_t at_least) {
     return n >= at_least && n <= kMaxTableSide;
@@ -218,9 +232,9 @@ QuantileTable table_of(const StoredTables& stored, const std::string& name) {
                       text_of({kMaxTableSide, kMaxTableSide}),
                   kRemake);
   if (adapted(stored) && std::holds_alternative<std::vector<double>>(a.values))
-    return QuantileTable::with_double_values(a.shape[0], a.shape[1],
-                                             std::get<std::vector<double>>(a.values), blend);
-  return {a.shape[0], a.shape[1], values_of<std::vector<float>>(a, name), blend};
+    return QuantileTable::with_double_values(
+        a.shape[0], a.shape[1], std::get<std::vector<double>>(a.values), blend, tangents);
+  return {a.shape[0], a.shape[1], values_of<std::vector<float>>(a, name), blend, tangents};
 }
 
 /// The values of an array of `columns` numbers a row, with its rows.
@@ -342,8 +356,11 @@ bool is_adapted(const SlopeTables& t) {
 }
 
 const char* interpolation_of(const SlopeTables& tables) {
-  return kInterpolations[static_cast<int>(tables.marginal.blend())]
-                        [static_cast<int>(tables.conditional.blend())];
+  const auto same = [&](const Interpolation& i) {
+    return i.marginal == tables.marginal.blend() && i.conditional == tables.conditional.blend() &&
+           i.tangents == tables.marginal.tangents();
+  };
+  return std::find_if(std::begin(kInterpolations), std::end(kInterpolations), same)->name;
 }
 
 bool may_read(const Shape& shape) {

@@ -49,9 +49,11 @@ PlacedTable fill_table(const RowSource& source, const TableLayout& layout, const
     rows[i] = source.row(axis.base(coordinate(i, layout.rows)), u);
   });
   const auto& [count, columns, blend, in_double] = layout;
-  placed.table = in_double ? QuantileTable::with_double_values(count, columns,
-                                                               joined<double>(rows, columns), blend)
-                           : QuantileTable(count, columns, joined<float>(rows, columns), blend);
+  const Tangents tangents = source.even ? Tangents::five_points_even : Tangents::five_points;
+  placed.table = in_double
+                     ? QuantileTable::with_double_values(
+                           count, columns, joined<double>(rows, columns), blend, tangents)
+                     : QuantileTable(count, columns, joined<float>(rows, columns), blend, tangents);
   return placed;
 }
 

@@ -23,6 +23,8 @@ struct RowSource {
   double end = 1;
   /// The same for equidistant rows, which cannot crowd where next to nothing lands; at most `end`.
   double end_of_even_rows = 1;
+  /// Whether values are even in the column coordinate.
+  bool even = false;
   /// Base coordinates, in (0, end), at which the table has a kink.
   std::vector<double> breaks = {};
 };

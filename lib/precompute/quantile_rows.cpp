@@ -95,6 +95,7 @@ RowSource conditional_rows(const UnitSlopes& slopes, const ConditionalCoding& co
   const auto end = [&](double mass) {
     return conditional_base(bounded_from_asinh(farthest_sampled(slopes, mass)), coding.unit);
   };
+  source.even = true;  // |y| grows with p ~ t^2
   source.end = end(kNoMass);
   source.end_of_even_rows = end(kSmallMass);
   for (const double r : slopes.distribution().breaks()) {

@@ -108,15 +108,19 @@ class Search {
 };
 
 /// Tables of a single cell in place of the table that is not being measured.
-QuantileTable nothing() {
-  return {1, 3, std::vector<float>{0, 0.5f, 1}};
+QuantileTable nothing(Tangents tangents) {
+  return {1, 3, std::vector<float>{0, 0.5f, 1}, RowBlend::linear, tangents};
 }
 
-Maker marginal_maker(const UnitSlopes& slopes, const SlopeTables& frame, const Workers& workers) {
-  return [&slopes, &frame, workers](const TableLayout& layout) {
+Maker marginal_maker(const UnitSlopes& slopes, const SlopeTables& frame, bool mapped,
+                     const Workers& workers) {
+  return [&slopes, &frame, mapped, workers](const TableLayout& layout) {
     Candidate c{frame};
-    set_mapped_marginal(c.tables, slopes, layout, kMapNodesPerColumn * layout.columns, workers);
-    c.tables.conditional = nothing();
+    if (mapped)
+      set_mapped_marginal(c.tables, slopes, layout, kMapNodesPerColumn * layout.columns, workers);
+    else
+      set_plain_marginal(c.tables, slopes, layout, workers);
+    c.tables.conditional = nothing(Tangents::five_points_even);
     const auto shared = share(c.tables);
     c.error = measure_marginal(slopes, shared, workers).max_u_error;
     c.bytes = sampling_bytes(c.tables);
@@ -129,7 +133,7 @@ Maker conditional_maker(const UnitSlopes& slopes, const SlopeTables& frame,
   return [&slopes, &frame, &shape, unit, workers](const TableLayout& layout) {
     Candidate c{frame};
     set_conditional(c.tables, slopes, shape, unit, layout, workers);
-    c.tables.marginal = nothing();
+    c.tables.marginal = nothing(Tangents::five_points);
     const auto shared = share(c.tables);
     c.error = measure_conditional(slopes, shared, workers).max_u_error;
     c.bytes = sampling_bytes(c.tables);
@@ -153,6 +157,17 @@ double best_unit(const UnitSlopes& slopes, const SlopeTables& frame, const Condi
   return best;
 }
 
+/// The smallest marginal table of either kind: a map costs bytes and saves columns.
+Candidate smallest_marginal(const UnitSlopes& slopes, const SlopeTables& frame,
+                            const SmallestOptions& options) {
+  const Workers workers{options.threads};
+  Candidate plain = Search(marginal_maker(slopes, frame, false, workers), options).run(false);
+  Candidate mapped = Search(marginal_maker(slopes, frame, true, workers), options).run(false);
+  const bool both = std::max(plain.error, mapped.error) <= options.tolerance;
+  const bool take_plain = both ? plain.bytes <= mapped.bytes : plain.error < mapped.error;
+  return take_plain ? std::move(plain) : std::move(mapped);
+}
+
 void require(const Candidate& c, const char* table, const SmallestOptions& options) {
   if (c.error <= options.tolerance) return;
   std::ostringstream why;
@@ -170,7 +185,7 @@ BuiltTables smallest_tables(const SlopeDistribution& distribution, const Smalles
   const SlopeTables frame = tables_without_rows(slopes, workers);
   const ConditionalShape shape = conditional_shape(slopes);
 
-  Candidate marginal = Search(marginal_maker(slopes, frame, workers), options).run(false);
+  Candidate marginal = smallest_marginal(slopes, frame, options);
   require(marginal, "marginal", options);
   const double unit = best_unit(slopes, frame, shape, workers);
   const Candidate conditional =

@@ -27,12 +27,12 @@ template <class T>
 WeightedRows<T> weighted_rows(const QuantileTable& table, T row_coordinate) {
   if (table.rows() == 1) return {};
   const int rows = static_cast<int>(table.rows());
+  if (table.blend() == RowBlend::cubic) {
+    const RowWeights<T> r = lagrange_rows(row_coordinate, rows);
+    return {static_cast<std::size_t>(r.first), 4, r.weights};
+  }
   const Cell<T> r = cell_of(row_coordinate, rows);
-  if (table.blend() == RowBlend::linear)
-    return {static_cast<std::size_t>(r.index), 2, {T(1) - r.fraction, r.fraction, T(0), T(0)}};
-  const int first = smaller(larger(r.index - 1, 0), rows - 4);
-  return {static_cast<std::size_t>(first), 4,
-          lagrange_weights(static_cast<T>(r.index - first) + r.fraction)};
+  return {static_cast<std::size_t>(r.index), 2, {T(1) - r.fraction, r.fraction, T(0), T(0)}};
 }
 
 inline constexpr double kIncidentRoundings = 8;
@@ -90,9 +90,8 @@ class IncidentSampler {
     const MonotoneMap<T>& map = sampler_->marginal_map();
     const T sigma = map.identity() ? incident_.edge.sigma * w : map.at(w);
     const BoundedSlope<T> ordered =
-        bounded_from_sigma(std::min(sigma, incident_.ordered_edge.sigma));
-    const BoundedSlope<T> x = from_order(ordered, sampler_->tables().tail_order);
-    return is_within(x, incident_.edge) ? x : incident_.edge;
+        bounded_from_sigma(smaller(sigma, incident_.ordered_edge.sigma));
+    return held_below(incident_.edge, from_order(ordered, sampler_->tables().tail_order));
   }
 
   /// The marginal table at a column coordinate.
@@ -106,15 +105,17 @@ class IncidentSampler {
 
   /// The monotone cubic in the cell `c` of the blend of the rows from `row` on.
   template <class V>
-  T along(const V* row, const Cell<T>& c) const {
-    const std::size_t stride = sampler_->tables().marginal.columns() + 2;
-    // A row has one value before it and one after: the first of the four around is index - 1.
-    const V* p = row + c.index - 1;
-    Four<T> w{};
-    for (std::size_t r = 0; r < incident_.rows.count; ++r)
-      for (std::size_t k = 0; k < 4; ++k)
-        w[k] += incident_.rows.weights[r] * static_cast<T>(p[r * stride + k]);
-    return std::min(std::max(monotone_cubic(w, c.fraction), T(0)), T(1));
+  T along(const TableNode<V>* row, const Cell<T>& c) const {
+    const std::size_t stride = sampler_->tables().marginal.columns();
+    const WeightedRows<T>& rows = incident_.rows;
+    Four<T> nodes{};
+    for (std::size_t r = 0; r < rows.count; ++r) {
+      const Four<T> two = two_nodes<T>(row + r * stride + c.index);
+      for (std::size_t k = 0; k < 4; ++k) nodes[k] += rows.weights[r] * two[k];
+    }
+    const CubicPiece<T> piece =
+        hermite_piece(rows.count == 4 ? with_limited_tangents(nodes) : nodes);
+    return smaller(larger(piece.at(c.fraction), T(0)), T(1));
   }
 
   const TabulatedSampler<T>* sampler_;

@@ -92,7 +92,8 @@ auto TabulatedSampler<T>::marginal_step(const BoundedSlope<T>& c, T column) cons
   if (!(sigma.value < to_order(edge, order).sigma)) return {edge, du1, T(0)};
   const BoundedSlope<T> ordered = bounded_from_sigma(sigma.value);
   const BoundedSlope<T> x = from_order(ordered, order);
-  if (!is_within(x, edge)) return {edge, du1, T(0)};
+  const bool held = !(x.sigma < edge.sigma && x.complement > edge.complement);
+  if (held) return {held_below(edge, x), du1, T(0)};
   return {x, du1, w.derivative * sigma.derivative * from_order_derivative(ordered, order)};
 }
 

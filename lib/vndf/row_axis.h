@@ -50,6 +50,7 @@ class RowAxis {
 
  private:
   static std::size_t segment(const std::vector<T>& from, T x) {
+    if (from.size() == 2) return 0;
     const auto above = std::upper_bound(from.begin() + 1, from.end() - 1, x);
     return static_cast<std::size_t>(above - from.begin()) - 1;
   }

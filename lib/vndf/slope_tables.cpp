@@ -13,7 +13,7 @@ using Broken = std::optional<std::string>;
 
 /// The rule that value j of a row breaks, or nothing.
 template <class V>
-const char* broken_rule(const V* w, std::size_t j) {
+const char* broken_rule(const std::vector<V>& w, std::size_t j) {
   if (!std::isfinite(w[j])) return " is not a finite number";
   if (w[j] < 0 || w[j] > 1) return " is outside [0, 1]";
   if (j == 0 && w[j] != 0) return " is not 0, the value at the end of a row";
@@ -22,8 +22,8 @@ const char* broken_rule(const V* w, std::size_t j) {
 }
 
 template <class V>
-Broken check_row(const V* w, std::size_t columns) {
-  for (std::size_t j = 0; j < columns; ++j)
+Broken check_row(const std::vector<V>& w) {
+  for (std::size_t j = 0; j < w.size(); ++j)
     if (const char* rule = broken_rule(w, j)) return "column " + std::to_string(j) + rule;
   return {};
 }
@@ -31,8 +31,8 @@ Broken check_row(const V* w, std::size_t columns) {
 Broken check_table(const QuantileTable& table, const std::string& name) {
   if (table.rows() < 1 || table.columns() < 3) return name + " table: empty";
   for (std::size_t i = 0; i < table.rows(); ++i) {
-    const Broken b = table.in_double() ? check_row(table.row<double>(i), table.columns())
-                                       : check_row(table.row(i), table.columns());
+    const Broken b =
+        table.in_double() ? check_row(table.row_values<double>(i)) : check_row(table.row_values(i));
     if (b) return name + " table, row " + std::to_string(i) + ": " + *b;
   }
   return {};
@@ -99,7 +99,7 @@ bool is_order(int n) {
 }  // namespace
 
 std::size_t sampling_bytes(const SlopeTables& tables) {
-  const auto values = [](const QuantileTable& t) { return t.rows() * (t.columns() + 2); };
+  const auto values = [](const QuantileTable& t) { return 2 * t.rows() * t.columns(); };
   const std::size_t knots = tables.marginal_rows.size() + tables.conditional_rows.size();
   const std::size_t pieces = tables.marginal_map.empty() ? 0 : tables.marginal_map.size() - 1;
   return sizeof(float) *
@@ -118,6 +118,8 @@ std::optional<std::string> check(const SlopeTables& tables) {
   if (!is_order(tables.tail_order)) return "tail order is none of 1, 2, 4, 8, 16";
   if (const Broken b = check_table(tables.marginal, "marginal")) return b;
   if (const Broken b = check_table(tables.conditional, "conditional")) return b;
+  if (tables.conditional.tangents() != conditional_tangents(tables.marginal.tangents()))
+    return "the tangents of the conditional table are not conditional_tangents() of the marginal's";
   if (const Broken b = check_axis(tables.marginal_rows, "marginal")) return b;
   if (const Broken b = check_axis(tables.conditional_rows, "conditional")) return b;
   if (const Broken b = check_map(tables.marginal_map, "marginal")) return b;

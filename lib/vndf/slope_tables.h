@@ -46,6 +46,12 @@ struct SlopeTables {
   LogCurve<double> log_backfacing;
 };
 
+/// How the conditional takes its tangents where the marginal takes them by `marginal`: its values
+/// are even in the column coordinate, for |y| grows with p ~ t^2.
+constexpr Tangents conditional_tangents(Tangents marginal) {
+  return marginal == Tangents::three_points ? marginal : Tangents::five_points_even;
+}
+
 /// Bytes of tables, knots and map that sampling in single precision reads.
 std::size_t sampling_bytes(const SlopeTables& tables);
 

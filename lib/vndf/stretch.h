@@ -47,18 +47,23 @@ struct Azimuth {
   T cos, sin, length;
 };
 
-/// Only the zero vector has no azimuth, and 0 stands for it: a vector too short to square is scaled
-/// up first, for the map of a sampler is continuous along every azimuth up to the pole.
+/// The azimuth of a vector too short to square, which is scaled up first: the map of a sampler is
+/// continuous along every azimuth up to the pole. Only the zero vector has none, and 0 stands for
+/// it. Apart, so that azimuth() is short where it is inlined.
+template <class T>
+[[gnu::noinline, gnu::cold]] Azimuth<T> azimuth_near_pole(T x, T y) {
+  constexpr T kScale = T(1e18);
+  if (x == T(0) && y == T(0)) return {T(1), T(0), T(0)};
+  const T length = std::hypot(x * kScale, y * kScale);
+  return {x * kScale / length, y * kScale / length, length / kScale};
+}
+
 template <class T>
 Azimuth<T> azimuth(T x, T y) {
-  constexpr T kTooShort = T(1e-15), kScale = T(1e18);
-  const T largest = larger(std::abs(x), std::abs(y));
-  if (largest < kTooShort) {
-    if (largest == T(0)) return {T(1), T(0), T(0)};
-    const T length = std::hypot(x * kScale, y * kScale);
-    return {x * kScale / length, y * kScale / length, length / kScale};
-  }
-  const T length = std::sqrt(x * x + y * y), scale = T(1) / length;
+  constexpr T kTooShort = T(1e-30);
+  const T square = x * x + y * y;
+  if (square < kTooShort) return azimuth_near_pole(x, y);
+  const T length = std::sqrt(square), scale = T(1) / length;
   return {x * scale, y * scale, length};
 }
 

@@ -1,12 +1,12 @@
 // One table of quantiles and its lookup: linear or cubic between rows, monotone cubic along a row
 // (Fritsch and Carlson 1980). A row is an increasing sequence of values in [0, 1]; the interpolant
-// is increasing too, with a continuous derivative, so the sampled density has no steps.
+// is increasing too, with a continuous derivative, so the sampled density has no steps. Tangents
+// are made once, when the table is, and lie beside their values, where one load finds both.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <stdexcept>
 #include <type_traits>
 #include <vector>
 
@@ -28,40 +28,73 @@ template <class T>
 Cell<T> cell_of(T coordinate, int nodes) {
   const T last = static_cast<T>(nodes - 1);
   const T scaled = smaller(larger(coordinate, T(0)) * last, last);
-  const int index = smaller(static_cast<int>(scaled), nodes - 2);
+  const int index = static_cast<int>(smaller(scaled, last - T(1)));
   return {index, scaled - static_cast<T>(index)};
 }
 
-/// Four neighbouring values of a row.
+/// A value of a row and its derivative per node spacing, >= 0.
+template <class T>
+struct TableNode {
+  T value, tangent;
+};
+
+/// Four numbers that are worked on side by side.
 template <class T>
 using Four = std::array<T, 4>;
 
-/// Monotone cubic through the middle two of four equidistant increasing values. The tangents are
-/// central differences, limited to three times either neighbouring secant: that is enough for
-/// monotonicity, and inactive where the values are smooth on the scale of the nodes.
-template <class T>
-[[gnu::always_inline]] inline CubicPiece<T> monotone_piece(const Four<T>& w) {
-  const T before = w[1] - w[0], secant = w[2] - w[1], after = w[3] - w[2];
-  const auto tangent = [](T left, T right) {
-    return larger(smaller(T(0.5) * (left + right), T(3) * smaller(left, right)), T(0));
-  };
-  const T m1 = tangent(before, secant), m2 = tangent(secant, after);
-  const T c2 = T(3) * secant - T(2) * m1 - m2, c3 = m1 + m2 - T(2) * secant;
-  return {w[1], m1, c2, c3};
+/// A node and the one after it.
+template <class T, class V>
+Four<T> two_nodes(const TableNode<V>* left) {
+  const TableNode<V>& right = left[1];
+  return {static_cast<T>(left->value), static_cast<T>(left->tangent), static_cast<T>(right.value),
+          static_cast<T>(right.tangent)};
 }
 
-/// The same at a fraction of the way from the second value to the third.
+/// The cubic through two neighbouring nodes with their tangents: (value, tangent) of the left one,
+/// then of the right one. Increasing where the values are and no tangent is more than three times
+/// their difference (Fritsch and Carlson 1980).
 template <class T>
-T monotone_cubic(const Four<T>& w, T fraction) {
-  return monotone_piece(w).at(fraction);
+CubicPiece<T> hermite_piece(const Four<T>& nodes) {
+  const auto& [v0, t0, v1, t1] = nodes;
+  const T secant = v1 - v0;
+  const T c3 = t0 + t1 - T(2) * secant;
+  return {v0, t0, secant - t0 - c3, c3};
 }
 
-/// Weights of Lagrange's cubic through nodes 0, 1, 2, 3 at `x`.
+/// Two nodes that are a cubic blend of rows, with tangents that keep the piece between them
+/// increasing. They are not limited where the rows are smooth, which the builder sees to.
+template <class T>
+Four<T> with_limited_tangents(const Four<T>& nodes) {
+  const auto& [v0, t0, v1, t1] = nodes;
+  const T most = T(3) * (v1 - v0);
+  return {v0, larger(smaller(t0, most), T(0)), v1, larger(smaller(t1, most), T(0))};
+}
+
+/// Weights of Lagrange's cubic through nodes -1, 0, 1, 2 at `x`.
 template <class T>
 Four<T> lagrange_weights(T x) {
-  const T x1 = x - T(1), x2 = x - T(2), x3 = x - T(3);
-  return {x1 * x2 * x3 * T(-1.0 / 6), x * x2 * x3 * T(0.5), x * x1 * x3 * T(-0.5),
-          x * x1 * x2 * T(1.0 / 6)};
+  constexpr Four<T> c0{T(0), T(1), T(0), T(0)}, c1{T(-1.0 / 3), T(-0.5), T(1), T(-1.0 / 6)},
+      c2{T(0.5), T(-1), T(0.5), T(0)}, c3{T(-1.0 / 6), T(0.5), T(-0.5), T(1.0 / 6)};
+  Four<T> w;
+  for (std::size_t k = 0; k < 4; ++k) w[k] = c0[k] + x * (c1[k] + x * (c2[k] + x * c3[k]));
+  return w;
+}
+
+/// Four rows and their weights.
+template <class T>
+struct RowWeights {
+  int first;
+  Four<T> weights;
+};
+
+/// Lagrange's cubic among `rows` >= 4 equidistant rows: the four around a coordinate in [0, 1], or
+/// the outermost four. Any other coordinate, not a number included, goes to the nearer end.
+template <class T>
+RowWeights<T> lagrange_rows(T coordinate, int rows) {
+  const T last = static_cast<T>(rows - 1);
+  const T scaled = smaller(larger(coordinate, T(0)) * last, last);
+  const int second = static_cast<int>(larger(smaller(scaled, last - T(2)), T(1)));
+  return {second - 1, lagrange_weights(scaled - static_cast<T>(second))};
 }
 
 /// How a table is interpolated from row to row.
@@ -70,9 +103,21 @@ enum class RowBlend {
   cubic    ///< Lagrange's cubic through the four rows around, or the outermost four
 };
 
-/// Immutable quantile table, in single or double precision. Each row is stored with one extra value
-/// before and after it, continuing it as a parabola, so that the lookup needs no case for the first
-/// and last cell. A table of one row does not depend on the row coordinate.
+/// How the tangent of a node follows from the values of its row.
+enum class Tangents {
+  three_points,     ///< of the parabola through the three nearest values
+  five_points,      ///< of the quartic through the five nearest; in rows of fewer by three
+  five_points_even  ///< the same in rows that are even in the column: w[-j] = w[j], as conditionals
+};
+
+/// The nodes of a row of `count` >= 3 values that increase. Tangents are at most three times the
+/// difference to either neighbour: that is enough for monotonicity, between rows too that are
+/// blended linearly, and inactive where the values are smooth on the scale of the nodes.
+template <class T>
+std::vector<TableNode<T>> nodes_of_row(const T* values, std::size_t count, Tangents rule);
+
+/// Immutable quantile table, in single or double precision. A table of one row does not depend on
+/// the row coordinate.
 class QuantileTable {
  public:
   QuantileTable() = default;
@@ -81,26 +126,31 @@ class QuantileTable {
   /// but not 2 or 3 for a cubic blend, columns >= 3 and the sizes agree; the values themselves are
   /// judged by check().
   QuantileTable(std::size_t rows, std::size_t columns, const std::vector<float>& values,
-                RowBlend blend = RowBlend::linear)
-      : rows_(rows), columns_(columns), blend_(blend), single_(padded(values)) {}
+                RowBlend blend = RowBlend::linear, Tangents tangents = Tangents::five_points);
 
   /// The same in double precision, with a copy in single precision for samplers of that.
   static QuantileTable with_double_values(std::size_t rows, std::size_t columns,
                                           const std::vector<double>& values,
-                                          RowBlend blend = RowBlend::linear) {
-    QuantileTable table(rows, columns, std::vector<float>(values.begin(), values.end()), blend);
-    table.double_ = table.padded(values);
-    return table;
-  }
+                                          RowBlend blend = RowBlend::linear,
+                                          Tangents tangents = Tangents::five_points);
 
   std::size_t rows() const { return rows_; }
   std::size_t columns() const { return columns_; }
   RowBlend blend() const { return blend_; }
+  Tangents tangents() const { return tangents_; }
   bool in_double() const { return !double_.empty(); }
-  /// The values of row `i`, `columns()` of them; in double precision only if in_double().
+  /// The nodes of row `i`, `columns()` of them; in double precision only if in_double().
   template <class T = float>
-  const T* row(std::size_t i) const {
-    return values<T>().data() + i * (columns_ + 2) + 1;
+  const TableNode<T>* row(std::size_t i) const {
+    return nodes<T>().data() + i * columns_;
+  }
+  /// The values of row `i` alone.
+  template <class T = float>
+  std::vector<T> row_values(std::size_t i) const {
+    std::vector<T> values;
+    values.reserve(columns_);
+    for (std::size_t j = 0; j < columns_; ++j) values.push_back(row<T>(i)[j].value);
+    return values;
   }
 
   /// The interpolated value at row and column coordinates in [0, 1]: in [0, 1], increasing in
@@ -108,13 +158,7 @@ class QuantileTable {
   template <class T>
   T lookup(T row_coordinate, T column_coordinate) const {
     const Cell<T> c = cell_of(column_coordinate, node_columns_);
-    // Blending the four values first and limiting after costs one cubic instead of several, and is
-    // monotone for the same reason: a linear blend of increasing values is increasing, and a cubic
-    // one is where the rows are smooth, which the builder sees to.
-    const Four<T> w = std::is_same_v<T, double> && in_double()
-                          ? blended(double_.data() + c.index, row_coordinate)
-                          : blended(single_.data() + c.index, row_coordinate);
-    return smaller(larger(monotone_cubic(w, c.fraction), T(0)), T(1));
+    return smaller(larger(piece(row_coordinate, c.index).at(c.fraction), T(0)), T(1));
   }
 
   /// lookup() with its derivative by the column coordinate, from the same values; the derivative is
@@ -122,10 +166,10 @@ class QuantileTable {
   template <class T>
   WithDerivative<T> lookup_with_derivative(T row_coordinate, T column_coordinate) const {
     const Cell<T> c = cell_of(column_coordinate, node_columns_);
-    const CubicPiece<T> piece = monotone_piece(taps(c.index, row_coordinate));
-    const T w = piece.at(c.fraction);
+    const CubicPiece<T> cubic = piece(row_coordinate, c.index);
+    const T w = cubic.at(c.fraction);
     const T held = smaller(larger(w, T(0)), T(1));
-    const T slope = static_cast<T>(columns_ - 1) * piece.derivative(c.fraction);
+    const T slope = static_cast<T>(columns_ - 1) * cubic.derivative(c.fraction);
     return {held, w == held ? slope : T(0)};
   }
 
@@ -134,18 +178,18 @@ class QuantileTable {
   /// is flat.
   template <class T>
   T inverse(T row_coordinate, T value) const {
-    std::size_t low = 0, high = columns_ - 1;  // `value` lies between these two nodes
+    int low = 0, high = node_columns_ - 1;  // `value` lies between these two nodes
     while (high - low > 1) {
-      const std::size_t middle = (low + high) / 2;
-      (taps(middle, row_coordinate)[1] > value ? high : low) = middle;
+      const int middle = (low + high) / 2;
+      (piece(row_coordinate, middle).c0 > value ? high : low) = middle;
     }
-    const T fraction = monotone_piece(taps(low, row_coordinate)).inverse(value);
+    const T fraction = piece(row_coordinate, low).inverse(value);
     return (static_cast<T>(low) + fraction) / static_cast<T>(columns_ - 1);
   }
 
  private:
   template <class V>
-  const std::vector<V>& values() const {
+  const std::vector<TableNode<V>>& nodes() const {
     if constexpr (std::is_same_v<V, float>)
       return single_;
     else
@@ -153,76 +197,54 @@ class QuantileTable {
   }
 
   template <class V>
-  std::vector<V> padded(const std::vector<V>& values) const {
-    const bool too_few = rows_ == 0 || (blend_ == RowBlend::cubic && rows_ > 1 && rows_ < 4);
-    if (too_few || columns_ < 3 || values.size() / columns_ != rows_ ||
-        values.size() % columns_ != 0)
-      throw std::invalid_argument(
-          "a quantile table needs 1 row, or 2 and 4 for a cubic blend, or more, of 3 values or "
-          "more");
-    std::vector<V> result;
-    result.reserve(rows_ * (columns_ + 2));
-    for (std::size_t i = 0; i < rows_; ++i) {
-      const V* w = values.data() + i * columns_;
-      const V* end = w + columns_ - 1;
-      result.push_back(3 * w[0] - 3 * w[1] + w[2]);
-      result.insert(result.end(), w, w + columns_);
-      result.push_back(3 * end[0] - 3 * end[-1] + end[-2]);
-    }
-    return result;
-  }
+  std::vector<TableNode<V>> nodes_of(const std::vector<V>& values) const;
 
-  /// The four values around cell `index` of the blended row, in the precision meant for T.
+  /// The cubic between columns `index` and `index` + 1 of the blended row, in the precision meant
+  /// for T. The nodes are blended, not what becomes of them: one cubic instead of several.
   template <class T>
-  Four<T> taps(std::size_t index, T row_coordinate) const {
-    return std::is_same_v<T, double> && in_double()
-               ? blended(double_.data() + index, row_coordinate)
-               : blended(single_.data() + index, row_coordinate);
+  CubicPiece<T> piece(T row_coordinate, int index) const {
+    if constexpr (std::is_same_v<T, double>)
+      if (in_double()) return blended(double_.data() + index, row_coordinate);
+    return blended(single_.data() + index, row_coordinate);
   }
 
-  /// The four values from `column` on, blended between rows.
   template <class V, class T>
-  Four<T> blended(const V* column, T row_coordinate) const {
-    if (node_rows_ == 1) return four<T>(column);
+  CubicPiece<T> blended(const TableNode<V>* left, T row_coordinate) const {
+    if (node_rows_ == 1) return hermite_piece(two_nodes<T>(left));
+    return blend_ == RowBlend::cubic ? blended_cubic(left, row_coordinate)
+                                     : hermite_piece(blended_linear(left, row_coordinate));
+  }
+
+  template <class V, class T>
+  Four<T> blended_linear(const TableNode<V>* left, T row_coordinate) const {
     const Cell<T> r = cell_of(row_coordinate, node_rows_);
-    return blend_ == RowBlend::cubic ? blended_cubic(column, r) : blended_linear(column, r);
-  }
-
-  template <class T, class V>
-  static Four<T> four(const V* p) {
+    const TableNode<V>* row = left + r.index * stride_;
+    const Four<T> a = two_nodes<T>(row), b = two_nodes<T>(row + stride_);
     Four<T> w;
-    for (std::size_t k = 0; k < 4; ++k) w[k] = static_cast<T>(p[k]);
+    for (std::size_t k = 0; k < 4; ++k) w[k] = a[k] + r.fraction * (b[k] - a[k]);
     return w;
   }
 
   template <class V, class T>
-  Four<T> blended_linear(const V* column, const Cell<T>& r) const {
-    const V *a = column + r.index * stride_, *b = a + stride_;
+  CubicPiece<T> blended_cubic(const TableNode<V>* left, T row_coordinate) const {
+    const RowWeights<T> r = lagrange_rows(row_coordinate, node_rows_);
+    const TableNode<V>* row = left + r.first * stride_;
+    const Four<T> a = two_nodes<T>(row), b = two_nodes<T>(row + stride_),
+                  c = two_nodes<T>(row + 2 * stride_), d = two_nodes<T>(row + 3 * stride_);
+    const auto& [la, lb, lc, ld] = r.weights;
     Four<T> w;
-    for (std::size_t k = 0; k < 4; ++k)
-      w[k] = static_cast<T>(a[k]) + r.fraction * (static_cast<T>(b[k]) - static_cast<T>(a[k]));
-    return w;
-  }
-
-  template <class V, class T>
-  Four<T> blended_cubic(const V* column, const Cell<T>& r) const {
-    const int first = smaller(larger(r.index - 1, 0), node_rows_ - 4);
-    const Four<T> l = lagrange_weights(static_cast<T>(r.index - first) + r.fraction);
-    const V *a = column + first * stride_, *b = a + stride_, *c = b + stride_, *d = c + stride_;
-    Four<T> w;
-    for (std::size_t k = 0; k < 4; ++k)
-      w[k] = (l[0] * static_cast<T>(a[k]) + l[1] * static_cast<T>(b[k])) +
-             (l[2] * static_cast<T>(c[k]) + l[3] * static_cast<T>(d[k]));
-    return w;
+    for (std::size_t k = 0; k < 4; ++k) w[k] = (la * a[k] + lb * b[k]) + (lc * c[k] + ld * d[k]);
+    return hermite_piece(with_limited_tangents(w));
   }
 
   std::size_t rows_ = 0, columns_ = 0;
   // The same as integers that convert to and from floats in one instruction.
   int node_rows_ = static_cast<int>(rows_), node_columns_ = static_cast<int>(columns_);
-  std::ptrdiff_t stride_ = static_cast<std::ptrdiff_t>(columns_) + 2;
+  std::ptrdiff_t stride_ = static_cast<std::ptrdiff_t>(columns_);
   RowBlend blend_ = RowBlend::linear;
-  std::vector<float> single_;
-  std::vector<double> double_;
+  Tangents tangents_ = Tangents::five_points;
+  std::vector<TableNode<float>> single_;
+  std::vector<TableNode<double>> double_;
 };
 
 }  // namespace vndf

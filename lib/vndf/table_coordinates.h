@@ -61,11 +61,11 @@ BoundedSlope<T> bounded_from_sigma(T sigma) {
   return {sigma, T(1) - sigma};
 }
 
-/// Whether `x` lies below `edge`, by both: near 1 sigma is rounded more coarsely than its
-/// complement, which may be beyond the edge's.
+/// `x`, or `edge` where it is smaller. Each part is held by itself: near 1 sigma is rounded more
+/// coarsely than its complement, which may be beyond the edge's where sigma is not.
 template <class T>
-bool is_within(const BoundedSlope<T>& x, const BoundedSlope<T>& edge) {
-  return x.sigma < edge.sigma && x.complement > edge.complement;
+BoundedSlope<T> held_below(const BoundedSlope<T>& edge, const BoundedSlope<T>& x) {
+  return {smaller(x.sigma, edge.sigma), larger(x.complement, edge.complement)};
 }
 
 /// The bounded form of any slope, infinite ones included.
@@ -80,11 +80,16 @@ BoundedSlope<T> bounded_from_slope(T slope) {
 
 /// The bounded form of the cotangent z / s of a direction with vertical part z >= 0 and horizontal
 /// part s >= 0, not both zero. Maximum error: 4 roundings, at any angle from pole to horizon.
+/// `square` is s * s, for a caller that knows it before s.
 template <class T>
-BoundedSlope<T> bounded_cotangent(T z, T s) {
-  const T upper = z + std::sqrt(z * z + s * s);
+BoundedSlope<T> bounded_cotangent(T z, T s, T square) {
+  const T upper = z + std::sqrt(z * z + square);
   const T scale = T(1) / (upper + s);
   return {upper * scale, s * scale};
+}
+template <class T>
+BoundedSlope<T> bounded_cotangent(T z, T s) {
+  return bounded_cotangent(z, s, s * s);
 }
 
 /// The bounded form of the slope x / w, w >= 0, not both zero: infinite at w = 0.
@@ -205,7 +210,7 @@ struct FoldedProbability {
 
 template <class T>
 FoldedProbability<T> fold(const Probability<T>& u2) {
-  return {{std::abs(u2.u - u2.complement), T(2) * smaller(u2.u, u2.complement)},
+  return {{std::abs(u2.u - u2.complement), smaller(u2.u + u2.u, u2.complement + u2.complement)},
           std::copysign(T(1), u2.u - T(0.5))};
 }
 
@@ -213,8 +218,8 @@ FoldedProbability<T> fold(const Probability<T>& u2) {
 template <class T>
 T conditional_column(const Probability<T>& p) {
   const T s = std::sqrt(p.complement);
-  const T a = std::sqrt(s);
-  const T b = std::sqrt(p.u / (T(1) + s));  // 1 - s = (1 - s^2) / (1 + s)
+  // b^2 = 1 - s = (1 - s^2) / (1 + s), so b / (a + b) is multiplied by the root of 1 + s.
+  const T a = std::sqrt(s + s * s), b = std::sqrt(p.u);
   return b / (a + b);
 }
 

@@ -62,7 +62,10 @@ class TabulatedSampler {
   /// to the nearer end, where the slope is infinite and the normal horizontal. At the exact pole
   /// the azimuth is taken as 0. Returns a unit normal with wm.z >= 0 and dot(wi, wm) >=
   /// -kFacingSlack<T>; (0, 0, 1) for an input outside its range.
-  Vec3<T> sample(const Vec3<T>& wi, const Alpha<T>& alpha, T u1, T u2) const noexcept {
+  //
+  // Flat, because its steps hand each other small structs that calls would pack and unpack.
+  [[gnu::flatten]] Vec3<T> sample(const Vec3<T>& wi, const Alpha<T>& alpha, T u1,
+                                  T u2) const noexcept {
     if (!valid(wi, alpha)) return {T(0), T(0), T(1)};
     // 1. stretch
     const Stretched s = stretch(wi, alpha);
@@ -90,20 +93,16 @@ class TabulatedSampler {
   /// The marginal quantile at u1, in units of the mean slope; at most the slope `c`.
   BoundedSlope<T> sample_marginal(const BoundedSlope<T>& c,
                                   const Probability<T>& u1) const noexcept {
-    const BoundedSlope<T> x = from_order(sample_ordered_marginal(c, u1), tables_->tail_order);
-    // The edge itself, not what its rounded sigma decodes to: that of a far edge may be infinite.
-    const BoundedSlope<T>& edge = farthest(c);
-    return is_within(x, edge) ? x : edge;
+    return held_below(farthest(c), from_order(sample_ordered_marginal(c, u1), tables_->tail_order));
   }
 
   /// The same at the order of the table, where it does not leave the range of T.
   BoundedSlope<T> sample_ordered_marginal(const BoundedSlope<T>& c,
                                           const Probability<T>& u1) const noexcept {
-    const int order = tables_->tail_order;
-    const BoundedSlope<T>& edge = farthest(c);
+    const BoundedSlope<T> edge = farthest(c);
     const T w = tables_->marginal.lookup(marginal_row(c), marginal_column(u1));
     const T sigma = marginal_map_.identity() ? edge.sigma * w : marginal_map_.at(w);
-    return bounded_from_sigma(std::min(sigma, to_order(edge, order).sigma));
+    return bounded_from_sigma(smaller(sigma, to_order(edge, tables_->tail_order).sigma));
   }
 
   /// The value v = 2 sigma - 1 of |y| / scale that a sampled |y| stays below with probability p:
@@ -181,8 +180,8 @@ class TabulatedSampler {
   const ConditionalScale<T>& conditional_scale() const { return conditional_scale_; }
 
   /// The largest slope seen from cotangent `c`.
-  const BoundedSlope<T>& farthest(const BoundedSlope<T>& c) const {
-    return c.complement > bounded_support_.complement ? c : bounded_support_;
+  BoundedSlope<T> farthest(const BoundedSlope<T>& c) const {
+    return held_below(bounded_support_, c);
   }
   /// Row coordinates of the tables.
   T marginal_row(const BoundedSlope<T>& c) const { return marginal_rows_.row(marginal_base(c)); }
@@ -199,8 +198,9 @@ class TabulatedSampler {
   };
   Stretched stretch(const Vec3<T>& wi, const Alpha<T>& alpha) const {
     const Alpha<T> a = normalized(alpha);
-    const Azimuth<T> phi = azimuth(a.x * wi.x, a.y * wi.y);
-    return {a, phi, bounded_cotangent(wi.z, phi.length)};
+    const T x = a.x * wi.x, y = a.y * wi.y;
+    const Azimuth<T> phi = azimuth(x, y);
+    return {a, phi, bounded_cotangent(wi.z, phi.length, x * x + y * y)};
   }
 
  private:

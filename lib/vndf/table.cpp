@@ -1,0 +1,104 @@
+// The nodes of a table, made from its values.
+#include "vndf/table.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace vndf {
+namespace {
+
+/// Derivatives per spacing of the polynomial of fourth order through five equidistant values, at
+/// each of them.
+constexpr double kFivePoints[5][5] = {{-25.0 / 12, 4, -3, 4.0 / 3, -1.0 / 4},
+                                      {-1.0 / 4, -5.0 / 6, 3.0 / 2, -1.0 / 2, 1.0 / 12},
+                                      {1.0 / 12, -2.0 / 3, 0, 2.0 / 3, -1.0 / 12},
+                                      {-1.0 / 12, 1.0 / 2, -3.0 / 2, 5.0 / 6, 1.0 / 4},
+                                      {1.0 / 4, -4.0 / 3, 3, -4, 25.0 / 12}};
+/// The same of the parabola through three.
+constexpr double kThreePoints[3][3] = {
+    {-3.0 / 2, 2, -1.0 / 2}, {-1.0 / 2, 0, 1.0 / 2}, {1.0 / 2, -2, 3.0 / 2}};
+
+/// Derivative at value `i` by the N values nearest to it.
+template <std::size_t N, class T>
+double derivative(const T* values, std::size_t count, std::size_t i,
+                  const double (&stencils)[N][N]) {
+  const std::size_t first = std::min(i - std::min(i, N / 2), count - N);
+  double sum = 0;
+  for (std::size_t k = 0; k < N; ++k)
+    sum += stencils[i - first][k] * static_cast<double>(values[first + k]);
+  return sum;
+}
+
+/// Derivative at value `i` < count - 2 of a row that goes on evenly before its first value.
+template <class T>
+double even_derivative(const T* values, std::size_t i) {
+  const auto difference = [&](std::size_t k) {
+    return static_cast<double>(values[i + k]) - static_cast<double>(values[i < k ? k - i : i - k]);
+  };
+  return (8 * difference(1) - difference(2)) / 12;
+}
+
+/// Three times the smaller difference to a neighbour.
+template <class T>
+double steepest(const T* values, std::size_t count, std::size_t i) {
+  const auto difference = [&](std::size_t k) {
+    return static_cast<double>(values[k + 1]) - static_cast<double>(values[k]);
+  };
+  return 3 * std::min(difference(i > 0 ? i - 1 : 0), difference(std::min(i, count - 2)));
+}
+
+}  // namespace
+
+template <class T>
+std::vector<TableNode<T>> nodes_of_row(const T* values, std::size_t count, Tangents rule) {
+  const bool three = rule == Tangents::three_points || count < 5;
+  const bool even = !three && rule == Tangents::five_points_even;
+  const auto tangent = [&](std::size_t i) {
+    if (three) return derivative(values, count, i, kThreePoints);
+    return even && i < 2 ? even_derivative(values, i) : derivative(values, count, i, kFivePoints);
+  };
+  std::vector<TableNode<T>> nodes;
+  nodes.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double held = std::max(0.0, std::min(tangent(i), steepest(values, count, i)));
+    nodes.push_back({values[i], static_cast<T>(held)});
+  }
+  return nodes;
+}
+
+template std::vector<TableNode<float>> nodes_of_row(const float*, std::size_t, Tangents);
+template std::vector<TableNode<double>> nodes_of_row(const double*, std::size_t, Tangents);
+
+QuantileTable::QuantileTable(std::size_t rows, std::size_t columns,
+                             const std::vector<float>& values, RowBlend blend, Tangents tangents)
+    : rows_(rows),
+      columns_(columns),
+      blend_(blend),
+      tangents_(tangents),
+      single_(nodes_of(values)) {}
+
+QuantileTable QuantileTable::with_double_values(std::size_t rows, std::size_t columns,
+                                                const std::vector<double>& values, RowBlend blend,
+                                                Tangents tangents) {
+  QuantileTable table(rows, columns, std::vector<float>(values.begin(), values.end()), blend,
+                      tangents);
+  table.double_ = table.nodes_of(values);
+  return table;
+}
+
+template <class V>
+std::vector<TableNode<V>> QuantileTable::nodes_of(const std::vector<V>& values) const {
+  const bool too_few = rows_ == 0 || (blend_ == RowBlend::cubic && rows_ > 1 && rows_ < 4);
+  if (too_few || columns_ < 3 || values.size() / columns_ != rows_ || values.size() % columns_ != 0)
+    throw std::invalid_argument(
+        "a quantile table needs 1 row, or 2 and 4 for a cubic blend, or more, of 3 values or more");
+  std::vector<TableNode<V>> result;
+  result.reserve(values.size());
+  for (std::size_t i = 0; i < rows_; ++i) {
+    const auto row = nodes_of_row(values.data() + i * columns_, columns_, tangents_);
+    result.insert(result.end(), row.begin(), row.end());
+  }
+  return result;
+}
+
+}  // namespace vndf
