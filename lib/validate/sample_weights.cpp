@@ -1,0 +1,75 @@
+// Weights of sampled reflections over the unit square of random numbers.
+#include "validate/sample_weights.h"
+
+#include <algorithm>
+
+#include "validate/even_points.h"
+#include "vndf/scatter.h"
+
+namespace vndf::validate {
+namespace {
+
+/// G2 D dot(wi, wm)+ / (wi.z pdf(wm)): the weight for normals of density `pdf`.
+double weight_of(const Subject& subject, const Configuration& c, const Vec3<double>& wm, double d,
+                 double pdf) {
+  const double cosine = dot(c.wi, wm);
+  const Vec3<double> wo = reflect(c.wi, wm);
+  if (!(cosine > 0) || !(wo.z > 0) || !(pdf > 0)) return 0;
+  return subject.g2(c.alpha, c.wi, wo, wm) * cosine / c.wi.z * (d / pdf);
+}
+
+/// A point of the cell, another in each: the last digits of the middles of cells are all alike, and
+/// some samplers take them for a third random number.
+Pair place_in_cell(std::size_t i, std::size_t j, std::size_t cells) {
+  const Pair within = even_point(j * cells + i);
+  const double side = static_cast<double>(cells);
+  return {to_single((static_cast<double>(i) + within.x) / side),
+          to_single((static_cast<double>(j) + within.y) / side)};
+}
+
+/// Normals that are drawn for `drawn_for`; `pdf_of(c, wm, d)` is their density.
+template <class Pdf>
+SampleWeights weights(const Subject& subject, const Configuration& c,
+                      const Configuration& drawn_for, std::size_t cells, Pdf pdf_of) {
+  SampleWeights result;
+  result.weight = Grid(cells, cells);
+  const double side = static_cast<double>(cells);
+  std::vector<Pair> u(cells);
+  std::vector<Vec3<double>> wm(cells);
+  std::vector<double> d(cells);
+  for (std::size_t j = 0; j < cells; ++j) {
+    for (std::size_t i = 0; i < cells; ++i) u[i] = place_in_cell(i, j, cells);
+    subject.sample(drawn_for, u, wm);
+    subject.d(c.alpha, wm, d);
+    const std::vector<double> pdf = pdf_of(wm, d);
+    for (std::size_t i = 0; i < cells; ++i) {
+      const double weight = weight_of(subject, c, wm[i], d[i], pdf[i]);
+      result.weight.at(i, j) = weight;
+      result.largest = std::max(result.largest, weight);
+      result.mean += weight / (side * side);
+      if (weight == 0) result.lost += 1 / (side * side);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+SampleWeights sample_weights(const Subject& subject, const Configuration& c, std::size_t cells) {
+  return weights(subject, c, c, cells, [&](const auto& wm, const auto&) {
+    std::vector<double> pdf(wm.size());
+    subject.pdf(c, wm, pdf);
+    return pdf;
+  });
+}
+
+SampleWeights previous_weights(const Subject& subject, const Configuration& c, std::size_t cells) {
+  const Configuration from_above{{0, 0, 1}, c.alpha};
+  return weights(subject, c, from_above, cells, [](const auto& wm, const auto& d) {
+    std::vector<double> pdf(wm.size());
+    for (std::size_t k = 0; k < wm.size(); ++k) pdf[k] = d[k] * wm[k].z;
+    return pdf;
+  });
+}
+
+}  // namespace vndf::validate
