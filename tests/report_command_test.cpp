@@ -128,3 +128,10 @@ TEST_CASE("a report is refused before any work where it cannot be") {
   CHECK_THAT(missing.error, contains("gnuplot, which is not installed; install it"));
   CHECK(folder.files() == std::vector<std::string>{"file"});
 }
+
+TEST_CASE("a distribution with a pole can be drawn", "[.slow]") {
+  const Folder folder;
+  REQUIRE(folder.run("build k:nu=0.8 -o k.h5 --size 32x48 --quiet").status == 0);
+  CHECK(folder.run("validate k.h5 --quick --seed 7 --report page").error.empty());
+  CHECK(names_in(folder / "page").count("k-curves.exr") == 1);
+}

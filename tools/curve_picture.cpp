@@ -41,8 +41,9 @@ std::string value_range(const std::vector<Curve>& curves) {
   double low = std::numeric_limits<double>::infinity(), high = 0;
   for (const Curve& c : curves)
     for (const double v : c.exact) {
+      if (!(v > 0) || std::isinf(v)) continue;  // no slopes there, or a pole of p22
       high = std::max(high, v);
-      if (v > 0) low = std::min(low, v);
+      low = std::min(low, v);
     }
   return fmt::format("set yrange [{:.3e}:{:.3e}]\n", decade_below(std::max(low, high * kShown)),
                      10 * decade_below(high));
@@ -56,8 +57,7 @@ std::string panel(const std::string& name, const std::vector<Curve>& curves) {
     blocks += block(one, curves[k]);
     plots += fmt::format(
         "{0}${1} using 1:2 with lines lw 2 lc rgb '{2}' title 'alpha {3}', ${1} every {4} using "
-        "1:3 "
-        "with points pt 6 ps 1.1 lc rgb '{2}' notitle",
+        "1:3 with points pt 6 ps 1.1 lc rgb '{2}' notitle",
         k == 0 ? "" : ", ", one, kColours[k], curves[k].alpha, kMarkEvery);
   }
   return blocks + value_range(curves) + "plot " + plots + "\n";
@@ -87,14 +87,10 @@ std::string script(const DistributionCurves& curves) {
 
 constexpr const char* kCaption =
     "Lines: exact, by quadrature. Rings: the subject's own functions. p22 is the density of slopes "
-    "at "
-    "alpha 1, from a hundredth of the mean slope to the largest, or to where one slope in a "
-    "million "
-    "lies beyond; there a power tail descends straight. Lambda grows without bound towards 90 "
-    "degrees. "
-    "D is per solid angle. A ring beside its line is an error of some per cent; smaller ones are "
-    "in "
-    "the table above.";
+    "at alpha 1, from a hundredth of the mean slope to the largest, or to where one slope in a "
+    "million lies beyond; there a power tail descends straight. Lambda grows without bound towards "
+    "90 degrees. D is per solid angle. A ring beside its line is an error of some per cent; "
+    "smaller ones are in the table above.";
 
 void add_layer(io::ExrImage& exr, const std::string& layer, const char* axis, const Curve& curve) {
   exr.channels[layer + "." + axis] = channel(curve.at);

@@ -131,14 +131,11 @@ std::string caption(const Subject& subject, const Histograms& list, std::uint64_
   std::string text = fmt::format(
       "The law of {}. Each picture is a histogram of {} normals (seed {}) in {} x {} cells, which "
       "hold {} of them; what lies beyond is not shown. Where n samples are expected in a cell, "
-      "their "
-      "noise is 1/sqrt(n), {:.1f} % in the highest cell, and the eye sees no smaller error. The "
-      "last "
-      "row does: sampled less exact in units of that noise. It should have no pattern, 5 cells in "
-      "100 "
-      "beyond 2 and hardly one beyond 4, and its mean square should be 1 within a few of the "
-      "errors "
-      "given. A patch or a line of one colour is an error of the sampler.",
+      "their noise is 1/sqrt(n), {:.1f} % in the highest cell, and the eye sees no smaller error. "
+      "The last row does: sampled less exact in units of that noise. It should have no pattern, 5 "
+      "cells in 100 beyond 2 and hardly one beyond 4, and its mean square should be 1 within a few "
+      "of the errors given. A patch or a line of one colour is an error of the sampler; whether it "
+      "is one that its bounds allow, the table above says.",
       in_words(subject.claims.law), h.samples, seed, h.exact.columns, h.exact.rows, inside,
       100 / std::sqrt(expected));
   if (subject.claims.law != NormalLaw::all)

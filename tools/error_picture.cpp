@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "gnuplot.h"
 #include "io/exr_image.h"
@@ -28,11 +29,12 @@ double logit(double u) {
 
 /// Tick marks of an axis in logit(u).
 std::string u_ticks() {
+  constexpr std::pair<const char*, double> kTicks[]{
+      {"1e-6", 1e-6}, {"1e-4", 1e-4}, {"0.01", 0.01},       {"0.1", 0.1},        {"0.5", 0.5},
+      {"0.9", 0.9},   {"0.99", 0.99}, {"1-1e-4", 1 - 1e-4}, {"1-1e-6", 1 - 1e-6}};
   std::string text;
-  for (const double u : {1e-6, 1e-4, 0.01, 0.1, 0.5, 0.9, 0.99})
-    text += fmt::format("'{:g}' {:.4f}, ", u, logit(u));
-  for (const double e : {1e-4, 1e-6})
-    text += fmt::format("'1-{:g}' {:.4f}{}", e, logit(1 - e), e == 1e-6 ? "" : ", ");
+  for (const auto& [label, u] : kTicks)
+    text += fmt::format("{}'{}' {:.4f}", text.empty() ? "" : ", ", label, logit(u));
   return "(" + text + ")";
 }
 
@@ -54,18 +56,18 @@ std::string panel(const std::string& name, const UErrorMap& map, const Range& y)
 }
 
 std::string script(const UErrorMap& marginal, const UErrorMap& conditional) {
-  const Frame left{0.055, 0.155, 0.375, 0.765}, right{0.535, 0.155, 0.375, 0.765};
+  const Frame left{0.062, 0.135, 0.372, 0.79}, right{0.54, 0.135, 0.372, 0.79};
   return fmt::format(
              "set multiplot\n{}set cbrange [{}:{}]\nset format cb '10^{{%.0f}}'\nunset key\n"
              "set tics out nomirror font ',12'\nset xtics {} rotate by -40\n",
              kSizes, std::log10(kSmallest), std::log10(kLargest), u_ticks()) +
          ground("#bbbbbb") + margins(left) +
-         "unset colorbox\nset title 'slope x'\nset xlabel 'u_1' offset 0,0.3\nset ytics 0,15,90\n"
+         "unset colorbox\nset title 'slope x'\nset xlabel 'u_1' offset 0,1\nset ytics 0,15,90\n"
          "set ylabel '{/Italic θ} (degrees)'\n" +
          panel("marginal", marginal, {0, 90}) + margins(right) +
-         colour_box({0.922, right.y, 0.013, right.height}, "u-error") +
+         colour_box({0.924, right.y, 0.013, right.height}, "u-error") +
          fmt::format(
-             "set title 'slope y given slope x'\nset xlabel 'u_2' offset 0,0.3\nset ytics {}\n"
+             "set title 'slope y given slope x'\nset xlabel 'u_2' offset 0,1\nset ytics {}\n"
              "set ylabel 'u_1 of slope x'\n",
              u_ticks()) +
          panel("conditional", conditional, u_range()) + "unset multiplot\n";
@@ -79,20 +81,13 @@ std::string caption(const Subject& subject, const UErrorMap& marginal,
         fmt::format(" (this map is claimed from {:.3g} degrees on)", subject.claims.map_from);
   return fmt::format(
       "Left: slope x over incidence and u1. Right: slope y given the slope x that is sampled at "
-      "u1, "
-      "seen from {} degrees, over u2; what is within the rounding of both slopes is 0. The axes of "
-      "u "
-      "run from {:.0e} to its complement, both tails as wide as the middle. Largest here: {:.2e} "
-      "of "
-      "slope x, {:.2e} of slope y; the bound of this subject is {:.2e}. Tables show the waves of "
-      "their "
-      "rows and columns, below the bound everywhere; rounding shows as noise of 1e-8 to 1e-7; "
-      "towards "
-      "both ends the error must fade with the mass that is left. A band or a block that stands out "
-      "is "
-      "a wrong branch, a fit that ends, or a tail that is cut. Grey: nothing is claimed there{}, "
-      "or so "
-      "little mass is left that it is not judged.",
+      "u1, seen from {} degrees, over u2; what is within the rounding of both slopes is 0. The "
+      "axes of u run from {:.0e} to its complement, both tails as wide as the middle. Largest "
+      "here: {:.2e} of slope x, {:.2e} of slope y; the bound of this subject is {:.2e}. Tables "
+      "show the waves of their rows and columns, below the bound everywhere; rounding shows as "
+      "noise of 1e-8 to 1e-7; towards both ends the error must fade with the mass that is left. A "
+      "band or a block that stands out is a wrong branch, a fit that ends, or a tail that is cut. "
+      "Grey: nothing is claimed there{}, or so little mass is left that it is not judged.",
       kTheta, kSmallestShownU, largest(marginal.error), largest(conditional.error),
       subject.bounds.u_error, unclaimed);
 }

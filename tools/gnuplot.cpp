@@ -32,8 +32,7 @@ void run_gnuplot(const std::string& script) {
 void require_gnuplot() {
   if (std::system("command -v gnuplot >/dev/null 2>&1") != 0)
     throw std::runtime_error(
-        "pictures are drawn by gnuplot, which is not installed; install it "
-        "(package gnuplot-nox)");
+        "pictures are drawn by gnuplot, which is not installed; install it (package gnuplot-nox)");
 }
 
 std::string quoted(const std::string& text) {

@@ -57,12 +57,13 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-std::string base64(const std::string& bytes) {
+std::string base64(std::string bytes) {
   using namespace boost::archive::iterators;
   using Digits = base64_from_binary<transform_width<std::string::const_iterator, 6, 8>>;
-  std::string text(Digits(bytes.begin()), Digits(bytes.end()));
-  while (text.size() % 4 != 0) text += '=';
-  return text;
+  const std::size_t missing = (3 - bytes.size() % 3) % 3;
+  bytes.append(missing, '\0');  // the digits are made of whole groups of three
+  std::string text(Digits(bytes.cbegin()), Digits(bytes.cend()));
+  return text.replace(text.size() - missing, missing, missing, '=');
 }
 
 std::string mark(bool passed) {
@@ -106,8 +107,7 @@ std::string section_text(const ReportSection& s, std::size_t number) {
   if (v.samples > 0)
     text += fmt::format(
         ". {} samples were counted; those of one configuration show errors of {:.1e} in u and of "
-        "{:.1e} "
-        "in the mass of a bin",
+        "{:.1e} in the mass of a bin",
         v.samples, v.visible_u_error, v.visible_bin_error);
   text += ".</p>\n" + findings(v);
   for (const Picture& p : s.pictures) text += figure(s, p);

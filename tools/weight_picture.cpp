@@ -67,25 +67,22 @@ std::string script(const std::vector<Panel>& panels) {
 std::string caption(const Subject& subject, const std::vector<Panel>& panels) {
   std::string text = fmt::format(
       "The weight of each reflected sample at grazing incidence, theta {} = {:.2f} degrees, alpha "
-      "{}, "
-      "for facets that reflect everything (Figure 4 of Heitz and d'Eon 2014). Black: samples of "
-      "weight "
-      "0, lost because their facet faces away or their reflection goes into the surface.",
+      "{}, for facets that reflect everything (Figure 4 of Heitz and d'Eon 2014). Black: samples "
+      "of weight 0, lost because their facet faces away or their reflection goes into the surface.",
       kTheta, kTheta / validate::kDegree, kAlpha);
   for (const Panel& p : panels)
     text += fmt::format(" Of {}: largest {:.3g}, mean {:.4f}, lost {:.1f} %.", p.title,
                         p.weights.largest, p.weights.mean, 100 * p.weights.lost);
   if (subject.claims.law == NormalLaw::all)
     return text +
-           " This subject draws all normals, so half of the square is lost and weights have no "
-           "bound; "
-           "those of visible normals are never above 1.";
+           "This subject draws all normals, so half of the square is lost and weights have no "
+           "bound; those of visible normals are never above 1.";
   if (subject.claims.law == NormalLaw::visible_v_cavity)
     text +=
-        " The noise is the choice between the two facets of a cavity, made by the last digits of "
+        "The noise is the choice between the two facets of a cavity, made by the last digits of "
         "u1.";
   return text +
-         " Weights of visible normals are never above 1: red on the left would be an error. Both "
+         "Weights of visible normals are never above 1: red on the left would be an error. Both "
          "methods estimate the same reflectance, so their means agree to the coarseness of the "
          "cells.";
 }

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 
-#include "validate/even_points.h"
+#include "validate/random_block.h"
 #include "vndf/scatter.h"
 
 namespace vndf::validate {
 namespace {
+
+constexpr std::uint64_t kSeed = 1;  // a picture is the same in every run
 
 /// G2 D dot(wi, wm)+ / (wi.z pdf(wm)): the weight for normals of density `pdf`.
 double weight_of(const Subject& subject, const Configuration& c, const Vec3<double>& wm, double d,
@@ -18,13 +20,17 @@ double weight_of(const Subject& subject, const Configuration& c, const Vec3<doub
   return subject.g2(c.alpha, c.wi, wo, wm) * cosine / c.wi.z * (d / pdf);
 }
 
-/// A point of the cell, another in each: the last digits of the middles of cells are all alike, and
-/// some samplers take them for a third random number.
-Pair place_in_cell(std::size_t i, std::size_t j, std::size_t cells) {
-  const Pair within = even_point(j * cells + i);
+/// A random point of each cell of row `j`: the last digits of the middles of cells are all alike,
+/// and some samplers take them for a third random number.
+std::vector<Pair> places_in_row(std::size_t j, std::size_t cells) {
+  RandomBlock random(kSeed, 0, j);
   const double side = static_cast<double>(cells);
-  return {to_single((static_cast<double>(i) + within.x) / side),
-          to_single((static_cast<double>(j) + within.y) / side)};
+  std::vector<Pair> u(cells);
+  for (std::size_t i = 0; i < cells; ++i) {
+    u[i].x = to_single((static_cast<double>(i) + random.full()) / side);
+    u[i].y = to_single((static_cast<double>(j) + random.full()) / side);
+  }
+  return u;
 }
 
 /// Normals that are drawn for `drawn_for`; `pdf_of(c, wm, d)` is their density.
@@ -34,11 +40,10 @@ SampleWeights weights(const Subject& subject, const Configuration& c,
   SampleWeights result;
   result.weight = Grid(cells, cells);
   const double side = static_cast<double>(cells);
-  std::vector<Pair> u(cells);
   std::vector<Vec3<double>> wm(cells);
   std::vector<double> d(cells);
   for (std::size_t j = 0; j < cells; ++j) {
-    for (std::size_t i = 0; i < cells; ++i) u[i] = place_in_cell(i, j, cells);
+    const std::vector<Pair> u = places_in_row(j, cells);
     subject.sample(drawn_for, u, wm);
     subject.d(c.alpha, wm, d);
     const std::vector<double> pdf = pdf_of(wm, d);

@@ -13,7 +13,7 @@
 
 namespace vndf::validate {
 
-/// u1 to the right and u2 up, at one point of each cell.
+/// u1 to the right and u2 up, at a point of each cell.
 struct SampleWeights {
   Grid weight;
   double largest = 0, mean = 0;
