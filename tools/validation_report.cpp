@@ -8,6 +8,7 @@
 #include "gnuplot.h"
 
 namespace vndf::tools {
+
 ValidationReport::ValidationReport(const std::filesystem::path& folder,
                                    ReportCircumstances circumstances)
     : folder_(folder), circumstances_(std::move(circumstances)) {
