@@ -1,9 +1,13 @@
 // Running gnuplot.
 #include "gnuplot.h"
 
+#include <fmt/format.h>
+
 #include <cstdio>
-#include <filesystem>
+#include <cstdlib>
 #include <stdexcept>
+
+#include "io/whole_file.h"
 
 namespace vndf::tools {
 
@@ -23,6 +27,29 @@ void run_gnuplot(const std::string& script) {
   const bool written = std::fwrite(script.data(), 1, script.size(), pipe) == script.size();
   if (pclose(pipe) != 0 || !written)
     throw std::runtime_error("gnuplot failed; is it installed (package gnuplot-nox)?");
+}
+
+void require_gnuplot() {
+  if (std::system("command -v gnuplot >/dev/null 2>&1") != 0)
+    throw std::runtime_error(
+        "pictures are drawn by gnuplot, which is not installed; install it (package gnuplot-nox)");
+}
+
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);
+  return result + "'";
+}
+
+std::string png_of(const std::string& script, int width, int height,
+                   const std::filesystem::path& scratch) {
+  run_gnuplot(
+      fmt::format("set terminal pngcairo size {},{} font 'sans,15' background 'white'\n"
+                  "set output {}\nset encoding utf8\n{}\nset output\n",
+                  width, height, quoted(scratch.string()), script));
+  std::string bytes = io::read_whole_file(scratch);
+  std::filesystem::remove(scratch);
+  return bytes;
 }
 
 }  // namespace vndf::tools

@@ -1,6 +1,7 @@
 // Pictures are drawn by gnuplot, which reads a script.
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 namespace vndf::tools {
@@ -11,5 +12,16 @@ std::string terminal_for(const std::string& output);
 
 /// Runs a script. Throws std::runtime_error if gnuplot is missing or fails.
 void run_gnuplot(const std::string& script);
+
+/// Throws std::runtime_error if gnuplot is missing: to be asked before long work.
+void require_gnuplot();
+
+/// `text` as a string of a script.
+std::string quoted(const std::string& text);
+
+/// The bytes of a PNG picture of `width` x `height` pixels that `script` draws on white ground.
+/// `scratch` is a file to draw to, gone afterwards.
+std::string png_of(const std::string& script, int width, int height,
+                   const std::filesystem::path& scratch);
 
 }  // namespace vndf::tools

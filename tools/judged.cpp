@@ -32,11 +32,9 @@ std::string text_of(const Place& p) {
 
 std::string row(const Finding& f) {
   const char* sign = f.kind == Kind::error ? "<=" : "p >=";
-  std::string remark = text_of(f.where);
-  if (!f.note.empty()) remark += (remark.empty() ? "" : "; ") + f.note;
   return fmt::format("  {:<4}  {:<11}{:<30}{:>10.3g}  {:>4} {:<10.3g} {}\n",
                      f.passed() ? "pass" : "FAIL", f.stage, f.statistic, f.measured, sign, f.bound,
-                     remark);
+                     remark(f));
 }
 
 nlohmann::ordered_json to_json(const Finding& f) {
@@ -81,6 +79,12 @@ bool names_a_file(const std::string& argument) {
   const auto extension = std::filesystem::path(argument).extension();
   return extension == ".h5" || extension == ".hdf5" || extension == ".exr" ||
          std::filesystem::is_regular_file(argument);
+}
+
+std::string remark(const Finding& f) {
+  std::string text = text_of(f.where);
+  if (!f.note.empty()) text += (text.empty() ? "" : "; ") + f.note;
+  return text;
 }
 
 std::string describe(const Verdict& verdict) {

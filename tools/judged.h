@@ -18,6 +18,9 @@ std::unique_ptr<precompute::SlopeDistribution> distribution_of(const io::TableFi
 /// True if `argument` is the path of a file or looks like one.
 bool names_a_file(const std::string& argument);
 
+/// Where a finding is and what is to be said of it, in words.
+std::string remark(const validate::Finding& finding);
+
 /// A table, one line for each finding.
 std::string describe(const validate::Verdict& verdict);
 

@@ -11,6 +11,7 @@
 #include "commands.h"
 #include "judged.h"
 #include "validate/named_subjects.h"
+#include "validation_report.h"
 
 namespace vndf::tools {
 namespace {
@@ -24,7 +25,7 @@ struct ValidateArguments {
   bool quick = false, thorough = false, list = false;
   std::optional<std::uint64_t> seed;
   unsigned threads = 0;
-  std::string json;
+  std::string json, report;
 };
 
 /// Laws of the reference samplers, which those of one distribution share.
@@ -55,6 +56,13 @@ Thoroughness thoroughness(const ValidateArguments& a) {
   return a.thorough ? Thoroughness::thorough : Thoroughness::standard;
 }
 
+/// Nothing if none is asked for.
+std::unique_ptr<ValidationReport> report_of(const ValidateArguments& a, std::uint64_t seed) {
+  if (a.report.empty()) return nullptr;
+  const char* effort = a.quick ? " --quick" : a.thorough ? " --thorough" : "";
+  return std::make_unique<ValidationReport>(a.report, ReportCircumstances{kProgram, effort, seed});
+}
+
 /// True if all subjects pass.
 bool validate_all(const ValidateArguments& a) {
   Laws laws;
@@ -62,6 +70,7 @@ bool validate_all(const ValidateArguments& a) {
   for (const std::string& argument : a.subjects) subjects.push_back(subject_of(argument, laws));
 
   const std::uint64_t seed = a.seed.value_or(fresh_seed());
+  const auto report = report_of(a, seed);  // what hinders it is told before any work, too
   std::cout << fmt::format("seed {}\n", seed);
   const validate::JudgeOptions options{.thoroughness = thoroughness(a),
                                        .seed = seed,
@@ -73,6 +82,7 @@ bool validate_all(const ValidateArguments& a) {
     const auto verdict = validate::judge(subject, options);
     std::cout << describe(verdict) << std::flush;
     verdicts.push_back(to_json(verdict));
+    if (report) report->add(subject, verdict, options.workers);
     passed = passed && verdict.passed();
   }
   if (!a.json.empty())
@@ -80,6 +90,7 @@ bool validate_all(const ValidateArguments& a) {
                         {"seed", seed},
                         {"passed", passed},
                         {"subjects", std::move(verdicts)}});
+  if (report) report->finish();
   return passed;
 }
 
@@ -96,6 +107,8 @@ void add_validate(CLI::App& app) {
   command->add_option("--threads", a->threads, "Threads; 0 for one per processor")
       ->capture_default_str();
   command->add_option("--json", a->json, "Write the verdicts to this file too");
+  command->add_option("--report", a->report,
+                      "Write a page with pictures and their data to this folder (needs gnuplot)");
   command->add_flag("--list", a->list, "List the reference samplers and stop");
   command->callback([a] {
     if (a->list) {

@@ -38,16 +38,6 @@ std::size_t checked_size(const fs::path& path) {
   return static_cast<std::size_t>(size);
 }
 
-/// A name that no other writer uses, in the folder of `path` because a rename cannot leave a disk.
-fs::path temporary_name(const fs::path& path) {
-  std::random_device random;
-  fs::path name = path;
-  name += ".";
-  name += std::to_string(random());
-  name += ".tmp";
-  return name;
-}
-
 /// A new file that vanishes with this object unless it was renamed.
 class TemporaryFile {
  public:
@@ -93,6 +83,15 @@ std::string read_whole_file(const fs::path& path) {
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   if (!in) throw Refusal("it cannot be read: " + last_error(), "check its permissions");
   return bytes;
+}
+
+fs::path temporary_name(const fs::path& path) {
+  std::random_device random;
+  fs::path name = path;
+  name += ".";
+  name += std::to_string(random());
+  name += ".tmp";
+  return name;
 }
 
 void replace_file(const fs::path& path, std::string_view bytes) {

@@ -11,6 +11,9 @@ namespace vndf::io {
 /// table file (kMaxFileBytes) or cannot be read.
 std::string read_whole_file(const std::filesystem::path& path);
 
+/// A path in the same folder, because a rename cannot leave a disk, that no other writer uses.
+std::filesystem::path temporary_name(const std::filesystem::path& path);
+
 /// Writes `bytes` under a temporary name in the same folder, then renames. Throws Refusal on any
 /// failure; then nothing is left behind and a file already at `path` is as it was.
 void replace_file(const std::filesystem::path& path, std::string_view bytes);

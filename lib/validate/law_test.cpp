@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <mutex>
-#include <random>
+
+#include "validate/random_block.h"
 
 namespace vndf::validate {
 namespace {
@@ -11,29 +12,8 @@ namespace {
 constexpr std::uint64_t kBlock = 1 << 15;
 constexpr std::size_t kBatch = 1024;
 
-/// Random numbers of one block, which follow from where it is.
-class BlockRandom {
- public:
-  BlockRandom(std::uint64_t seed, std::uint64_t configuration, std::uint64_t block) {
-    const auto half = [](std::uint64_t v) { return static_cast<std::uint32_t>(v >> 32); };
-    const auto low = [](std::uint64_t v) { return static_cast<std::uint32_t>(v); };
-    std::seed_seq sequence{half(seed), low(seed), low(configuration), half(block), low(block)};
-    random_.seed(sequence);
-  }
-  /// Uniform in (0, 1) as a single-precision number, rounded at its own scale: near 0 it has all
-  /// its digits, so that the tail there is a tail and no lattice.
-  double single() {
-    const double u = (static_cast<double>(random_() >> 11) + 0.5) * 0x1p-53;
-    return std::min(to_single(u), 1 - 0x1p-24);
-  }
-  double full() { return (static_cast<double>(random_() >> 11) + 0.5) * 0x1p-53; }
-
- private:
-  std::mt19937_64 random_;
-};
-
 void count_block(const Subject& subject, const Configuration& c, const ExactLaw& law,
-                 BlockRandom random, std::uint64_t samples, UniformCounts& counts) {
+                 RandomBlock random, std::uint64_t samples, UniformCounts& counts) {
   std::vector<Pair> u(kBatch);
   std::vector<Vec3<double>> wm(kBatch);
   for (std::uint64_t done = 0; done < samples; done += kBatch) {
@@ -56,7 +36,7 @@ UniformCounts count(const Subject& subject, const Configuration& c, std::uint64_
   const std::uint64_t blocks = (options.samples + kBlock - 1) / kBlock;
   precompute::parallel_for(blocks, options.workers, [&](std::size_t block) {
     UniformCounts counts(bins);
-    count_block(subject, c, law, BlockRandom(options.seed, index, block),
+    count_block(subject, c, law, RandomBlock(options.seed, index, block),
                 std::min(kBlock, options.samples - block * kBlock), counts);
     const std::lock_guard lock(mutex);
     all.add(counts);

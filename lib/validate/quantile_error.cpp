@@ -2,18 +2,13 @@
 #include "validate/quantile_error.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
-#include "precompute/visible_slopes.h"
-#include "validate/conditional_law.h"
-#include "validate/density_distance.h"
+#include "validate/map_row.h"
 
 namespace vndf::validate {
 namespace {
-
-using precompute::VisibleSlopes;
 
 constexpr const char* kStage = "map";
 constexpr int kTailPlaces = 60;        // per tail, logarithmic
@@ -41,10 +36,6 @@ std::vector<double> places(std::size_t count) {
   return list;
 }
 
-double u_error(const Probability<double>& cdf, double u) {
-  return u < 0.5 ? cdf.u - u : (1 - u) - cdf.complement;
-}
-
 /// Errors of one slope, apart for the tails: there published samplers end.
 struct SlopeErrors {
   Worst body, tails;
@@ -58,46 +49,6 @@ struct SlopeErrors {
   }
 };
 
-/// The laws of slope y at a slope x, where both have been rounded: near the rim of a compact
-/// distribution they change within the rounding. What lies between is no error.
-class RoundedConditional {
- public:
-  static bool judged(const precompute::UnitSlopes& slopes, double x) {
-    return ConditionalLaw::judged(slopes, x * (1 + kSlopeRounding));
-  }
-  RoundedConditional(const precompute::UnitSlopes& slopes, double x)
-      : laws_{ConditionalLaw(slopes, x), ConditionalLaw(slopes, x * (1 - kSlopeRounding)),
-              ConditionalLaw(slopes, x * (1 + kSlopeRounding))} {}
-
-  /// |P(Y <= y) - u|.
-  double error(double y, double u) const {
-    return least(y, [u](const Probability<double>& cdf) { return u_error(cdf, u); });
-  }
-  /// |mass of the tail beyond y / `mass` - 1|, y on the side of `u`.
-  double ratio_error(double y, double u, double mass) const {
-    return least(y, [u, mass](const Probability<double>& cdf) {
-      return (u < 0.5 ? cdf.u : cdf.complement) / mass - 1;
-    });
-  }
-
- private:
-  /// Distance from 0 of the interval of errors that the CDFs at `y` give.
-  template <class F>
-  double least(double y, F error_of) const {
-    double low = error_of(laws_[0].cdf(y)), high = low;
-    for (const ConditionalLaw& law : laws_)
-      for (const double s : {1 - kSlopeRounding, 1 + kSlopeRounding}) {
-        const double e = error_of(law.cdf(y * s));
-        if (std::isnan(e)) return kUnknown;
-        low = std::min(low, e);
-        high = std::max(high, e);
-      }
-    return std::max({0.0, low, -high});
-  }
-
-  std::array<ConditionalLaw, 3> laws_;
-};
-
 struct MapErrors {
   SlopeErrors x, y;
   Worst ratio_x, ratio_y, backward, jump;
@@ -106,11 +57,7 @@ struct MapErrors {
 /// One row of the map: all u1 at one incidence.
 class Row {
  public:
-  Row(const Subject& subject, const Configuration& configuration)
-      : subject_(subject),
-        configuration_(configuration),
-        frame_(*subject.law, configuration),
-        visible_(subject.law->slopes(), frame_.cotangent()) {}
+  Row(const Subject& subject, const Configuration& configuration) : map_(subject, configuration) {}
 
   MapErrors judge(const QuantileOptions& options) {
     const auto list = places(options.places);
@@ -125,32 +72,23 @@ class Row {
   }
 
  private:
-  StretchedSlope slope(double u1, double u2) const {
-    return frame_.slope_of(subject_.sample_one(configuration_, u1, u2));
+  StretchedSlope slope(double u1, double u2) const { return map_.slope(u1, u2); }
+  Place place(double u1, double u2 = kUnknown) const {
+    return place_of(map_.configuration(), u1, u2);
   }
-  /// What is lower than kSmallestHeight lies somewhere beyond: there the map cannot be seen.
-  static bool carried(const StretchedSlope& s) { return s.w >= kSmallestHeight; }
-
   double marginal_error(const StretchedSlope& s, double u1) const {
-    const double a = s.x == 0 ? 0 : std::asinh(s.x / s.w);
-    return u_error(visible_.cdf(std::min(a, visible_.farthest())), u1);
-  }
-  Probability<double> marginal_cdf(double u1, double u2) const {
-    const StretchedSlope s = slope(u1, u2);
-    const double a = s.x == 0 ? 0 : std::asinh(s.x / std::max(s.w, kSmallestHeight));
-    return visible_.cdf(std::min(a, visible_.farthest()));
+    return u_error(map_.marginal_cdf(s), u1);
   }
 
   void judge_marginal(const std::vector<double>& list, double u2) {
     double previous_error = 0, previous_u = 0, worst_change = 0, from = 0, to = 0;
     for (const double u1 : list) {
       const StretchedSlope s = slope(u1, u2);
-      const Place place = place_of(configuration_, u1, u2);
-      if (!carried(s)) continue;
+      if (!MapRow::carried(s)) continue;
       const double error = marginal_error(s, u1);
-      errors_.x.see(std::abs(error), u1, place);
+      errors_.x.see(std::abs(error), u1, place(u1, u2));
       const double change = error - previous_error;
-      errors_.backward.see(-(change + (u1 - previous_u)), place);
+      errors_.backward.see(-(change + (u1 - previous_u)), place(u1, u2));
       if (change > worst_change && previous_u > 0) {
         worst_change = change;
         from = previous_u;
@@ -166,54 +104,47 @@ class Row {
   /// continuous map has gained nothing there.
   void follow_jump(double from, double to, double u2) {
     const auto gain = [&](double low, double high) {
-      return u_error(marginal_cdf(high, u2), high) - u_error(marginal_cdf(low, u2), low);
+      return marginal_error(slope(high, u2), high) - marginal_error(slope(low, u2), low);
     };
     for (int k = 0; k < kHalvings; ++k) {
       const double middle = to_single((from + to) / 2);
       if (middle == from || middle == to) break;
       (gain(from, middle) > gain(middle, to) ? to : from) = middle;
     }
-    errors_.jump.see(gain(from, to), place_of(configuration_, from, u2));
+    errors_.jump.see(gain(from, to), place(from, u2));
   }
 
   void judge_marginal_tails() {
     constexpr double mass = kTailMass;
     const StretchedSlope low = slope(mass, 0.5), high = slope(1 - mass, 0.5);
-    if (carried(low)) {
+    if (MapRow::carried(low)) {
       const double u = marginal_error(low, mass) + mass;
-      errors_.ratio_x.see(std::abs(u / mass - 1), place_of(configuration_, mass));
+      errors_.ratio_x.see(std::abs(u / mass - 1), place(mass));
     }
     const double complement = mass - marginal_error(high, 1 - mass);
-    errors_.ratio_x.see(std::abs(complement / mass - 1), place_of(configuration_, 1 - mass));
+    errors_.ratio_x.see(std::abs(complement / mass - 1), place(1 - mass));
   }
 
   void judge_conditional(double u1, const std::vector<double>& list) {
-    const auto& slopes = subject_.law->slopes();
-    const StretchedSlope middle = slope(u1, 0.5);
-    const double x = middle.x / middle.w;
-    if (!carried(middle) || !RoundedConditional::judged(slopes, x)) return;
-    const RoundedConditional conditional(slopes, x);
+    const auto conditional = map_.conditional(u1);
+    if (!conditional) return;
     for (const double u2 : list) {
       const StretchedSlope s = slope(u1, u2);
-      if (!carried(s)) continue;
-      errors_.y.see(conditional.error(s.y / s.w, u2), u2, place_of(configuration_, u1, u2));
+      if (!MapRow::carried(s)) continue;
+      errors_.y.see(conditional->error(s.y / s.w, u2), u2, place(u1, u2));
     }
-    judge_conditional_tails(conditional, u1);
+    judge_conditional_tails(*conditional, u1);
   }
 
   void judge_conditional_tails(const RoundedConditional& conditional, double u1) {
     for (const double u2 : {kTailMass, 1 - kTailMass}) {
       const StretchedSlope s = slope(u1, u2);
-      if (!carried(s)) continue;
-      errors_.ratio_y.see(conditional.ratio_error(s.y / s.w, u2, kTailMass),
-                          place_of(configuration_, u1, u2));
+      if (!MapRow::carried(s)) continue;
+      errors_.ratio_y.see(conditional.ratio_error(s.y / s.w, u2, kTailMass), place(u1, u2));
     }
   }
 
-  const Subject& subject_;
-  Configuration configuration_;
-  StretchedFrame frame_;
-  VisibleSlopes visible_;
+  MapRow map_;
   MapErrors errors_;
 };
 
