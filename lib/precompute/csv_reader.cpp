@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
+#include <system_error>
 
 namespace vndf::precompute {
 namespace {
@@ -25,6 +26,20 @@ void split(std::string_view line, std::vector<std::string_view>& fields) {
 }
 
 }  // namespace
+
+std::ifstream open_csv(const std::filesystem::path& path) {
+  const auto refuse = [&](const char* why) {
+    throw std::runtime_error(path.string() + ": " + why);
+  };
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) refuse("there is no such file; check the path");
+  if (!std::filesystem::is_regular_file(status))
+    refuse("it is not a file; give the path of a file");
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) refuse("it cannot be read; check its permissions");
+  return stream;
+}
 
 bool CsvReader::next_line() {
   while (std::getline(stream_, text_)) {

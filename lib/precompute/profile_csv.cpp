@@ -3,12 +3,10 @@
 
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
-#include <system_error>
 
 #include "precompute/csv_reader.h"
 
@@ -100,10 +98,7 @@ RadialProfile read_profile_csv(std::istream& stream, const std::string& name) {
 }
 
 RadialProfile read_profile_csv(const std::filesystem::path& path) {
-  std::error_code error;
-  std::ifstream stream(path, std::ios::binary);
-  if (!std::filesystem::is_regular_file(path, error) || !stream)
-    throw std::runtime_error(path.string() + ": there is no such file, or it cannot be read");
+  std::ifstream stream = open_csv(path);
   return read_profile_csv(stream, path.string());
 }
 

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
 #include <string>
 
+#include "validate/configuration.h"
 #include "vndf/vec.h"
 
 namespace vndf::validate {
@@ -33,7 +33,6 @@ inline Environment smooth_environment() {
 /// wide (at exp(-1/2) of its peak), and lights a white surface that faces it as much as the sky
 /// does: 2 pi brightness / sharpness = pi.
 inline Environment lamp_environment(double theta = 30, double azimuth = 180) {
-  constexpr double kDegree = std::numbers::pi / 180;
   Environment light = smooth_environment();
   light.name = "lamp";
   light.lamp = {std::sin(theta * kDegree) * std::cos(azimuth * kDegree),

@@ -3,34 +3,14 @@
 
 #include <algorithm>
 #include <mutex>
-#include <random>
+
+#include "validate/block_random.h"
 
 namespace vndf::validate {
 namespace {
 
 constexpr std::uint64_t kBlock = 1 << 15;
 constexpr std::size_t kBatch = 1024;
-
-/// Random numbers of one block, which follow from where it is.
-class BlockRandom {
- public:
-  BlockRandom(std::uint64_t seed, std::uint64_t configuration, std::uint64_t block) {
-    const auto half = [](std::uint64_t v) { return static_cast<std::uint32_t>(v >> 32); };
-    const auto low = [](std::uint64_t v) { return static_cast<std::uint32_t>(v); };
-    std::seed_seq sequence{half(seed), low(seed), low(configuration), half(block), low(block)};
-    random_.seed(sequence);
-  }
-  /// Uniform in (0, 1) as a single-precision number, rounded at its own scale: near 0 it has all
-  /// its digits, so that the tail there is a tail and no lattice.
-  double single() {
-    const double u = (static_cast<double>(random_() >> 11) + 0.5) * 0x1p-53;
-    return std::min(to_single(u), 1 - 0x1p-24);
-  }
-  double full() { return (static_cast<double>(random_() >> 11) + 0.5) * 0x1p-53; }
-
- private:
-  std::mt19937_64 random_;
-};
 
 void count_block(const Subject& subject, const Configuration& c, const ExactLaw& law,
                  BlockRandom random, std::uint64_t samples, UniformCounts& counts) {
@@ -43,7 +23,7 @@ void count_block(const Subject& subject, const Configuration& c, const ExactLaw&
       u[k] = {u1, random.single()};
     }
     subject.sample(c, {u.data(), size}, {wm.data(), size});
-    for (std::size_t k = 0; k < size; ++k) counts.add(law.uniforms(wm[k], random.full()));
+    for (std::size_t k = 0; k < size; ++k) counts.add(law.uniforms(wm[k], random.uniform()));
   }
 }
 

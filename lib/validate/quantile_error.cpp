@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "precompute/map_errors.h"
 #include "precompute/visible_slopes.h"
 #include "validate/conditional_law.h"
 #include "validate/density_distance.h"
@@ -13,6 +13,9 @@
 namespace vndf::validate {
 namespace {
 
+using precompute::from_tail;
+using precompute::golden;
+using precompute::u_error;
 using precompute::VisibleSlopes;
 
 constexpr const char* kStage = "map";
@@ -20,11 +23,6 @@ constexpr int kTailPlaces = 60;        // per tail, logarithmic
 constexpr double kSmallestU = 1e-9;    // towards 0; towards 1 single precision ends at 2^-24
 constexpr double kTailMass = 0x1p-20;  // of the tails whose ratio is judged
 constexpr int kHalvings = 24;
-
-double golden(std::size_t k) {
-  const double x = static_cast<double>(k) * (std::numbers::phi - 1) + 0.5;
-  return x - std::floor(x);
-}
 
 /// Single-precision numbers in (0, 1), increasing.
 std::vector<double> places(std::size_t count) {
@@ -39,10 +37,6 @@ std::vector<double> places(std::size_t count) {
   list.erase(std::unique(list.begin(), list.end()), list.end());
   if (list.back() == 1) list.pop_back();
   return list;
-}
-
-double u_error(const Probability<double>& cdf, double u) {
-  return u < 0.5 ? cdf.u - u : (1 - u) - cdf.complement;
 }
 
 /// Errors of one slope, apart for the tails: there published samplers end.
@@ -71,7 +65,7 @@ class RoundedConditional {
 
   /// |P(Y <= y) - u|.
   double error(double y, double u) const {
-    return least(y, [u](const Probability<double>& cdf) { return u_error(cdf, u); });
+    return least(y, [u](const Probability<double>& cdf) { return u_error(cdf, from_tail(u)); });
   }
   /// |mass of the tail beyond y / `mass` - 1|, y on the side of `u`.
   double ratio_error(double y, double u, double mass) const {
@@ -133,7 +127,7 @@ class Row {
 
   double marginal_error(const StretchedSlope& s, double u1) const {
     const double a = s.x == 0 ? 0 : std::asinh(s.x / s.w);
-    return u_error(visible_.cdf(std::min(a, visible_.farthest())), u1);
+    return u_error(visible_.cdf(std::min(a, visible_.farthest())), from_tail(u1));
   }
   Probability<double> marginal_cdf(double u1, double u2) const {
     const StretchedSlope s = slope(u1, u2);
@@ -166,7 +160,8 @@ class Row {
   /// continuous map has gained nothing there.
   void follow_jump(double from, double to, double u2) {
     const auto gain = [&](double low, double high) {
-      return u_error(marginal_cdf(high, u2), high) - u_error(marginal_cdf(low, u2), low);
+      return u_error(marginal_cdf(high, u2), from_tail(high)) -
+             u_error(marginal_cdf(low, u2), from_tail(low));
     };
     for (int k = 0; k < kHalvings; ++k) {
       const double middle = to_single((from + to) / 2);

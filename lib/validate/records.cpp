@@ -3,10 +3,8 @@
 
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <stdexcept>
 #include <string_view>
-#include <system_error>
 
 #include "precompute/csv_reader.h"
 
@@ -95,10 +93,7 @@ Records read_records(std::istream& stream, const std::string& name) {
 }
 
 Records read_records(const std::filesystem::path& path) {
-  std::error_code error;
-  std::ifstream stream(path, std::ios::binary);
-  if (!std::filesystem::is_regular_file(path, error) || !stream)
-    throw std::runtime_error(path.string() + ": there is no such file, or it cannot be read");
+  std::ifstream stream = precompute::open_csv(path);
   return read_records(stream, path.string());
 }
 
