@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "arguments.h"
 #include "commands.h"
 #include "judged.h"
+#include "output_file.h"
 #include "validate/named_subjects.h"
 
 namespace vndf::tools {
@@ -57,6 +59,7 @@ Thoroughness thoroughness(const ValidateArguments& a) {
 
 /// True if all subjects pass.
 bool validate_all(const ValidateArguments& a) {
+  if (!a.json.empty()) require_output(a.json, a.subjects);
   Laws laws;
   std::vector<Subject> subjects;  // wrong names are told before any work
   for (const std::string& argument : a.subjects) subjects.push_back(subject_of(argument, laws));
@@ -80,6 +83,7 @@ bool validate_all(const ValidateArguments& a) {
                         {"seed", seed},
                         {"passed", passed},
                         {"subjects", std::move(verdicts)}});
+  require_printed();
   return passed;
 }
 
@@ -92,9 +96,9 @@ void add_validate(CLI::App& app) {
   command->add_option("subjects", a->subjects, "Table files and names of reference samplers");
   auto* quick = command->add_flag("--quick", a->quick, "Seconds, fewer places and samples");
   command->add_flag("--thorough", a->thorough, "1e9 samples")->excludes(quick);
-  command->add_option("--seed", a->seed, "Seed of the random numbers; a fresh one where not given");
-  command->add_option("--threads", a->threads, "Threads; 0 for one per processor")
-      ->capture_default_str();
+  command->add_option("--seed", a->seed, "Seed of the random numbers; a fresh one where not given")
+      ->check(whole_number());
+  add_threads(*command, a->threads);
   command->add_option("--json", a->json, "Write the verdicts to this file too");
   command->add_flag("--list", a->list, "List the reference samplers and stop");
   command->callback([a] {

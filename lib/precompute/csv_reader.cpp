@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "precompute/words.h"
+
 namespace vndf::precompute {
 namespace {
 
@@ -59,7 +61,7 @@ double CsvReader::number(std::string_view field) const {
   double value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value))
-    fail_in_line(std::string("'").append(field.substr(0, 60)).append("' is not a finite number"));
+    fail_in_line(quoted(field) + " is not a finite number");
   return value;
 }
 

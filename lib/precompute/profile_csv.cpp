@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "precompute/csv_reader.h"
+#include "precompute/words.h"
 
 namespace vndf::precompute {
 namespace {
@@ -45,8 +46,7 @@ class Reader {
     for (const Columns& columns : kColumns)
       if (fields.size() == 2 && fields[0] == columns.first && fields[1] == columns.second)
         return columns;
-    csv_.fail_in_line("the header '" + std::string(csv_.line().substr(0, 60)) + "' is not known; " +
-                      accepted());
+    csv_.fail_in_line("the header " + quoted(csv_.line()) + " is not known; " + accepted());
   }
 
   static std::string accepted() {

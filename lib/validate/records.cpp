@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "precompute/csv_reader.h"
+#include "precompute/words.h"
 
 namespace vndf::validate {
 namespace {
@@ -34,8 +35,7 @@ Header read_header(CsvReader& csv) {
   for (const bool u : {true, false})
     for (const bool pdf : {false, true})
       if (csv.fields() == Header{u, pdf}.columns()) return {u, pdf};
-  csv.fail_in_line("the header '" + std::string(csv.line().substr(0, 60)) + "' is not known; " +
-                   accepted);
+  csv.fail_in_line("the header " + precompute::quoted(csv.line()) + " is not known; " + accepted);
 }
 
 /// A unit vector to kLengthSlack.
