@@ -1,6 +1,7 @@
 // The program as a person or a script meets it: output, exit status, messages.
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -289,6 +290,16 @@ TEST_CASE("a picture of the tables is drawn") {
   REQUIRE(folder.run("picture ggx.h5 -o tables.png").status == 0);
   CHECK(content(folder / "tables.png").substr(1, 3) == "PNG");
   check_one_line_failure(folder.run("picture ggx.h5 -o tables.gif"), "tables.gif");
+}
+
+TEST_CASE("without gnuplot a picture is refused in words, and nothing is left behind") {
+  const FolderWithTables folder;
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", "/nonexistent", 1);
+  const Result r = folder.run("picture ggx.h5 -o tables.png");
+  setenv("PATH", path.c_str(), 1);
+  check_failure(r, 1, "vndf: tables.png: gnuplot did not draw it; is it installed");
+  CHECK(folder.files() == std::vector<std::string>{"ggx.h5"});
 }
 
 TEST_CASE("bench --quick prints a table, writes JSON and draws the picture") {

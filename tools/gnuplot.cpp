@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <stdexcept>
@@ -18,8 +19,12 @@ bool run_gnuplot(const std::string& script) {
   // Where it cannot open its file it draws to standard output.
   std::FILE* pipe = popen("gnuplot >/dev/null", "w");
   if (pipe == nullptr) return false;
+  // A gnuplot that is missing or has given up must not end this program with it.
+  const auto before = std::signal(SIGPIPE, SIG_IGN);
   const bool written = std::fwrite(script.data(), 1, script.size(), pipe) == script.size();
-  return pclose(pipe) == 0 && written;
+  const bool drawn = pclose(pipe) == 0;
+  std::signal(SIGPIPE, before);
+  return written && drawn;
 }
 
 }  // namespace
