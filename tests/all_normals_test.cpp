@@ -28,7 +28,7 @@ TEST_CASE("the density of all normals is D(wm) wm.z, whatever the incident direc
 TEST_CASE("all normals of GGX have the slopes of its closed quantile") {
   // P(slope / alpha < r) = r^2 / (1 + r^2), and the azimuth is uniform.
   const AllNormals<double, ExactGgx<double>> all{ExactGgx<double>{}};
-  const auto grazing = direction<double>(89);
+  const auto grazing = direction_at<double>(89);
   for (const double u1 : {0.05, 0.3, 0.8})
     for (const double u2 : {0.01, 0.5, 0.99}) {
       const auto m = all.sample(grazing, {0.3, 0.3}, u1, u2);

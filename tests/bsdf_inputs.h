@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "directions.h"
 #include "exact_ggx.h"
 #include "random_inputs.h"
 #include "vndf/all_normals.h"
@@ -16,18 +17,9 @@ namespace vndf::test {
 /// The visible normals of V-cavities of GGX (Algorithm 3).
 using ExactVCavity = VCavity<double, AllNormals<double, ExactGgx<double>>>;
 
-inline constexpr double kDegree = std::numbers::pi / 180;
-
-template <class T>
-Vec3<T> direction(double degrees, double azimuth = 0) {
-  const double theta = degrees * kDegree, phi = azimuth * kDegree;
-  return {static_cast<T>(std::sin(theta) * std::cos(phi)),
-          static_cast<T>(std::sin(theta) * std::sin(phi)), static_cast<T>(std::cos(theta))};
-}
-
 /// A direction uniform in theta and azimuth.
 inline Vec3<double> random_direction(RandomInputs& random, double largest_degrees) {
-  return direction<double>(largest_degrees * random.uniform(), 360 * random.uniform());
+  return direction_at<double>(largest_degrees * random.uniform(), 360 * random.uniform());
 }
 
 /// int f(w) dw over the upper hemisphere, by the midpoint rule in w.z and azimuth.

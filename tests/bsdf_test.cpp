@@ -173,7 +173,7 @@ TEST_CASE("the BSDF of a dielectric is the same read backwards, but for the squa
 
 TEST_CASE("the visible normals have mass 1, also as outgoing directions (weak white furnace)") {
   for (const auto& c : kConfigurations) {
-    const auto wi = direction<double>(c.degrees, c.azimuth);
+    const auto wi = direction_at<double>(c.degrees, c.azimuth);
     const Microsurface<double, Ggx, SmithSeparable> smith(kGgx, c.alpha);
     const Microsurface<double, ExactVCavity, VCavityMasking> cavities(kVCavity, c.alpha);
     CAPTURE(c.degrees, c.alpha.x, c.alpha.y);
@@ -195,8 +195,8 @@ TEST_CASE("the visible normals have mass 1, also as outgoing directions (weak wh
 TEST_CASE("the visible density has its limit at the horizon") {
   const Microsurface<double, Ggx, SmithSeparable> smith(kGgx, {0.3, 0.5});
   const Microsurface<double, ExactVCavity, VCavityMasking> cavities(kVCavity, {0.3, 0.5});
-  const auto m = direction<double>(40, 30);
-  const auto near = direction<double>(90 - 1e-7, 10);
+  const auto m = direction_at<double>(40, 30);
+  const auto near = direction_at<double>(90 - 1e-7, 10);
   const Vec3<double> at{std::cos(10 * kDegree), std::sin(10 * kDegree), 0};
   CHECK(smith.visible_density(at, m) == Approx(smith.visible_density(near, m)).epsilon(1e-7));
   CHECK(cavities.visible_density(at, m) == Approx(cavities.visible_density(near, m)).epsilon(1e-7));
@@ -206,7 +206,7 @@ TEST_CASE("no surface reflects more than falls on it, and quadrature and samples
   std::uint64_t seed = 10;
   for_each_surface([&](const char* name, const auto& sampler, auto masking) {
     for (const auto& c : kConfigurations) {
-      const auto wi = direction<double>(c.degrees, c.azimuth);
+      const auto wi = direction_at<double>(c.degrees, c.azimuth);
       const Mirror<std::decay_t<decltype(sampler)>, decltype(masking)> brdf(sampler, c.alpha, {});
       const double energy =
           over_hemisphere([&](const auto& wo) { return brdf.evaluate(wi, wo)[0]; });
@@ -226,7 +226,7 @@ TEST_CASE("no dielectric sends out more than falls on it, from either side, by b
   for_each_surface([&](const char* name, const auto& sampler, auto masking) {
     for (const auto& c : kConfigurations)
       for (const double eta : {0.66, 1.5}) {
-        const auto wi = direction<double>(c.degrees, c.azimuth);
+        const auto wi = direction_at<double>(c.degrees, c.azimuth);
         const DielectricBsdf<double, std::decay_t<decltype(sampler)>, decltype(masking)> bsdf(
             sampler, c.alpha, eta);
         const auto energy_of = [&](bool above) {
@@ -260,7 +260,7 @@ TEST_CASE("the mass of pdf is the part of the samples that is kept") {
   std::uint64_t seed = 1000;
   for_each_surface([&](const char* name, const auto& sampler, auto masking) {
     for (const auto& c : kConfigurations) {
-      const auto wi = direction<double>(c.degrees, c.azimuth);
+      const auto wi = direction_at<double>(c.degrees, c.azimuth);
       const DielectricBsdf<double, std::decay_t<decltype(sampler)>, decltype(masking)> bsdf(
           sampler, c.alpha, 1.5);
       const double mass = over_sphere([&](const auto& wo) { return bsdf.pdf(wi, wo); }, 350);
@@ -329,7 +329,7 @@ TEST_CASE("visible normals never weigh more than 1; all normals do, without boun
 }
 
 TEST_CASE("Algorithm 1 weighs a normal by G2 (wi.wm) / (wi.z wm.z)") {
-  const auto wi = direction<double>(70, 20);
+  const auto wi = direction_at<double>(70, 20);
   const Alpha<double> alpha{0.4, 0.7};
   const Mirror<AllGgx, SmithCorrelated> brdf(kAllGgx, alpha, {});
   for (const double u1 : {0.1, 0.35, 0.9})
@@ -343,7 +343,7 @@ TEST_CASE("Algorithm 1 weighs a normal by G2 (wi.wm) / (wi.z wm.z)") {
 }
 
 TEST_CASE("the third random number chooses reflection with the probability of Fresnel") {
-  const auto wi = direction<double>(60);
+  const auto wi = direction_at<double>(60);
   const DielectricBsdf<double, Ggx, SmithCorrelated> bsdf(kGgx, {0.1, 0.1}, 1.5);
   const auto m = kGgx.sample(wi, {0.1, 0.1}, 0.3, 0.4);
   const double f = fresnel_dielectric(dot(wi, m), 1.5);
@@ -352,7 +352,7 @@ TEST_CASE("the third random number chooses reflection with the probability of Fr
 }
 
 TEST_CASE("total internal reflection is reflected whatever the third random number") {
-  const auto wi = direction<double>(60);
+  const auto wi = direction_at<double>(60);
   const DielectricBsdf<double, Ggx, SmithCorrelated> bsdf(kGgx, {0.01, 0.01}, 1 / 1.5);
   for (const double u3 : {0.0, 0.5, 1.0, 2.0}) {
     const auto drawn = bsdf.sample(wi, 0.3, 0.4, u3);
@@ -362,7 +362,7 @@ TEST_CASE("total internal reflection is reflected whatever the third random numb
 }
 
 TEST_CASE("between equal indices light passes straight through") {
-  const auto wi = direction<double>(60, 10);
+  const auto wi = direction_at<double>(60, 10);
   const DielectricBsdf<double, Ggx, SmithCorrelated> bsdf(kGgx, {0.5, 0.5}, 1.0);
   const auto drawn = bsdf.sample(wi, 0.3, 0.4, 0.0);
   CHECK((drawn.wo.x == -wi.x && drawn.wo.y == -wi.y && drawn.wo.z == -wi.z));
@@ -384,7 +384,7 @@ TEST_CASE("an input outside its range gives 0") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const Mirror<Ggx, SmithCorrelated> brdf(kGgx, {0.5, 0.5}, {});
   const DielectricBsdf<double, Ggx, SmithCorrelated> bsdf(kGgx, {0.5, 0.5}, 1.5);
-  const auto up = direction<double>(30), down = direction<double>(120);
+  const auto up = direction_at<double>(30), down = direction_at<double>(120);
   const std::vector<Vec3<double>> wrong{{nan, 0, 1}, {0, nan, 1}, {0, 0, nan}};
   CHECK(brdf.sample(down, 0.5, 0.5).weight[0] == 0);
   CHECK(brdf.evaluate(down, up)[0] == 0);

@@ -1,6 +1,7 @@
 // The program as a person or a script meets it: output, exit status, messages.
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -112,6 +113,58 @@ TEST_CASE("wrong usage is exit status 2") {
   check_failure(folder.run("sample a.h5 --wi 0,0 --alpha 1"), 2, "--wi");
   check_failure(folder.run("sample a.h5 --wi 0,0,-1 --alpha 1"), 2, "horizon");
   check_failure(folder.run("sample a.h5 --wi 0,0,1 --alpha 0"), 2, "alpha");
+}
+
+TEST_CASE(
+    "a number that is out of its range or no number at all is wrong usage, never another one") {
+  const FolderWithTables folder;
+  const std::string sample = "sample ggx.h5 --wi 0,0,1 --alpha 1 ";
+  check_failure(folder.run(sample + "-n -3"), 2, "'-3' is not a whole number");
+  check_failure(folder.run(sample + "-n 010"), 2, "'010'");  // no octal digits
+  check_failure(folder.run(sample + "--seed -1"), 2, "--seed");
+  check_failure(folder.run(sample + "--seed 99999999999999999999"), 2, "18446744073709551615");
+  check_failure(folder.run("sample ggx.h5 --wi nan,0,1 --alpha 1"), 2, "finite");
+  check_failure(folder.run("sample ggx.h5 --wi 0,0,1 --alpha 1e39"), 2, "--double");
+  check_failure(folder.run("sample ggx.h5 --wi 0,0,1 --alpha 1,1e-60"), 2, "--double");
+  check_failure(folder.run("build ggx -o a.h5 --size 16 --tolerance nan"), 2, "'nan'");
+  check_failure(folder.run("build ggx -o a.h5 --size 16 --threads 1000000"), 2, "4096");
+  check_failure(folder.run("bench --quick --repetitions 2.5"), 2, "'2.5'");
+  check_failure(folder.run("experiment variance --distribution ggx --seed x"), 2, "'x'");
+  CHECK(folder.run("sample ggx.h5 --wi 0,0,1 --alpha 1e39 --double -n 1").status == 0);
+  CHECK(folder.files() == std::vector<std::string>{"ggx.h5"});
+}
+
+TEST_CASE("a place that cannot be written is refused before any work, and what is there stays") {
+  const FolderWithTables folder;
+  fs::create_directories(folder / "folder.h5");
+  fs::create_directories(folder / "folder.png");
+  const std::string tables = content(folder / "ggx.h5");
+  // Thousands of seconds of work, were it begun.
+  const std::string build = "build 'mixture:0.5*ggx+0.5*beckmann@0.01' --size 8192 -o ";
+  check_one_line_failure(folder.run(build + "none/a.h5"), "none/a.h5: the folder 'none'");
+  check_one_line_failure(folder.run(build + "folder.h5"), "folder.h5: it exists and is not a file");
+  check_one_line_failure(folder.run("convert ggx.h5 folder.h5"), "folder.h5");
+  check_one_line_failure(folder.run("picture ggx.h5 -o none/a.png"), "none/a.png");
+  check_one_line_failure(folder.run("picture ggx.h5 -o folder.png"), "folder.png");
+  check_one_line_failure(folder.run("bench --json none/a.json"), "none/a.json");
+  check_one_line_failure(folder.run("bench --plot none/a.svg"), "none/a.svg");
+  check_one_line_failure(folder.run("validate ggx.h5 --thorough --json none/a.json"), "none");
+  check_one_line_failure(folder.run("validate ggx.h5 --thorough --json ./ggx.h5"), "also read");
+  fs::rename(folder / "ggx.h5", folder / "map.exr");
+  check_one_line_failure(folder.run("build --normal-map map.exr -o map.exr"), "also read");
+  CHECK(content(folder / "map.exr") == tables);
+  CHECK(folder.files().size() == 3);
+}
+
+TEST_CASE("what was printed to a full disk is not taken for success") {
+  const FolderWithTables folder;
+  for (const std::string command : {"info ggx.h5", "build --list", "validate --list",
+                                    "sample ggx.h5 --wi 0,0,1 --alpha 1 -n 10000000"}) {
+    CAPTURE(command);
+    const Result r = folder.run_on_full_disk(command);
+    CHECK(r.status == 1);
+    CHECK_THAT(r.error, contains("cannot write to standard output"));
+  }
 }
 
 TEST_CASE("info shows what a file holds, for people and as JSON") {
@@ -239,6 +292,16 @@ TEST_CASE("a picture of the tables is drawn") {
   check_one_line_failure(folder.run("picture ggx.h5 -o tables.gif"), "tables.gif");
 }
 
+TEST_CASE("without gnuplot a picture is refused in words, and nothing is left behind") {
+  const FolderWithTables folder;
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", "/nonexistent", 1);
+  const Result r = folder.run("picture ggx.h5 -o tables.png");
+  setenv("PATH", path.c_str(), 1);
+  check_failure(r, 1, "vndf: tables.png: gnuplot did not draw it; is it installed");
+  CHECK(folder.files() == std::vector<std::string>{"ggx.h5"});
+}
+
 TEST_CASE("bench --quick prints a table, writes JSON and draws the picture") {
   const Folder folder;
   const Result r = folder.run(
@@ -305,6 +368,22 @@ TEST_CASE("a measured profile becomes tables, with its tail and checksum in the 
   CHECK_THAT(info, contains("tail: power") && contains("CRC-64") && contains("--profile p.csv"));
 }
 
+TEST_CASE("a profile with the marks and line ends of other systems is the same profile") {
+  const Folder folder;
+  std::string plain = "r,p22\n", marked = "\xEF\xBB\xBFr,p22\r\n";
+  for (int k = 0; k < 20; ++k) {
+    const std::string line = std::to_string(k) + "," + std::to_string(std::exp(-k));
+    plain += line + "\n";
+    marked += line + "\r\n";
+  }
+  std::ofstream(folder / "p.csv", std::ios::binary) << plain;
+  REQUIRE(folder.run("build --profile p.csv -o a.exr --size 16 --quiet").error.empty());
+  std::ofstream(folder / "p.csv", std::ios::binary) << marked;
+  REQUIRE(folder.run("build --profile p.csv -o b.exr --size 16 --quiet").error.empty());
+  const std::string sample = " --wi 0.6,0,0.8 --alpha 1 -n 50";
+  CHECK(folder.run("sample a.exr" + sample).out == folder.run("sample b.exr" + sample).out);
+}
+
 TEST_CASE("tables that miss a tolerance are not written, and by how much is told") {
   const Folder folder;
   check_one_line_failure(folder.run("build ggx -o a.h5 --size 16 --tolerance 1e-6"),
@@ -333,7 +412,8 @@ TEST_CASE("what is wrong with a distribution is told before any work, in one lin
   refused("--p22 'exp(-r)/r'", "infinite at slope radius 0");
   refused("--ndf 'cos(theta)^(2/alpha^2-2)'", "--frozen-at");
   refused("--ndf '1/(cos(theta)^2*(alpha^2-1)+1)^3'", "--frozen-at");
-  refused("--profile missing.csv", "missing.csv");
+  refused("--profile missing.csv", "missing.csv: there is no such file");
+  refused("--profile .", ".: it is not a file");
   std::ofstream(folder / "bad.csv") << "r,p22\n0,1\n0.5,0.5\n0.4,0.3\n1,0.1\n";
   refused("--profile bad.csv", "4");
   fs::remove(folder / "bad.csv");
@@ -347,6 +427,7 @@ TEST_CASE("options that do not go together are wrong usage") {
   check_failure(folder.run("build --p22 'exp(-k*r)' --param k -o a.h5"), 2, "NAME=NUMBER");
   check_failure(folder.run("build ggx --break 1 -o a.h5"), 2, "--break");
   check_failure(folder.run("build ggx --frozen-at 0.3 -o a.h5"), 2, "--frozen-at");
+  check_failure(folder.run("build ggx --json --quiet -o a.h5"), 2, "--quiet");
 }
 
 TEST_CASE("the variance experiment tells the gain of visible normals, from a name or from a file") {
@@ -387,4 +468,6 @@ TEST_CASE("the variance experiment refuses what it cannot run") {
   check_one_line_failure(folder.run("experiment variance --tables missing.h5"), "missing.h5");
   check_one_line_failure(folder.run("experiment variance --distribution ggx --theta 95"), "theta");
   check_one_line_failure(folder.run("experiment variance --distribution ggx --alpha 0"), "alpha");
+  check_one_line_failure(folder.run("experiment variance --distribution ggx --lamp 30,nan"),
+                         "lamp");
 }

@@ -1,4 +1,5 @@
 // vndf validate and vndf check as a script meets them: output, files, exit status.
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -74,6 +75,19 @@ TEST_CASE("validate judges tables of a formula by their recipe") {
   CHECK(folder.run("validate f.h5 --quick").status == 0);
 }
 
+TEST_CASE("validate judges tables of every layout that build makes, by their recipe") {
+  const Folder folder;
+  for (const std::string layout :
+       {"--size 48 --rows cubic", "--size 48 --precision double", "--tolerance 1e-3 --size 64",
+        "--tolerance 1e-3 --max-bytes 100000"}) {
+    CAPTURE(layout);
+    REQUIRE(folder.run("build ggx -o t.h5 --quiet " + layout).status == 0);
+    const Result r = folder.run("validate t.h5 --quick --seed 1");
+    CHECK(r.error.empty());
+    CHECK(r.status == 0);
+  }
+}
+
 TEST_CASE("validate refuses what it does not know") {
   const Folder folder;
   const Result unknown = folder.run("validate nothing");
@@ -110,4 +124,42 @@ TEST_CASE("check returns 2 for input that it cannot use, with file, line and rul
   CHECK(folder.run("check none.csv --against ggx").status == 2);
   CHECK(folder.run("check bad.csv --against nothing").status == 2);
   CHECK(folder.run("check bad.csv").status == 2);
+}
+
+TEST_CASE("check names a file of no use and what it lacks, whatever its bytes are") {
+  const Folder folder;
+  const auto refused = [&](const std::string& bytes, const std::string& why) {
+    std::ofstream(folder / "r.csv", std::ios::binary) << bytes;
+    const Result r = folder.run("check r.csv --against ggx --json v.json");
+    CAPTURE(why);
+    CHECK(r.status == 2);
+    CHECK(r.out.empty());
+    CHECK_THAT(r.error, contains("r.csv") && contains(why));
+    CHECK(std::count(r.error.begin(), r.error.end(), '\n') == 1);
+    CHECK(folder.files() == std::vector<std::string>{"r.csv"});
+  };
+  const std::string header = "wx,wy,wz,ax,ay,mx,my,mz";
+  refused("", "it is empty");
+  refused(header + "\n", "it has 0 records; give 100 or more");
+  refused("\xEF\xBB\xBF" + header + "\r\n0,0,1,1,1,0,0,1\r\n", "it has 1 records");
+  refused(header + "\n0,0,1,1,1,nan,0,1\n", "line 2: 'nan' is not a finite number");
+  refused(std::string("\xFF\xFEw\0x\0", 6), "line 1: the header '??w?x?' is not known");
+  refused(header + "\r0,0,1,1,1,0,0,1\r", "line 1: the header 'wx,wy,wz,ax,ay,mx,my,mz?0,0");
+}
+
+TEST_CASE("check does not write its verdict over what it reads, nor where it cannot") {
+  const FolderWithTables folder;
+  write_records(folder, "records.csv", 200);
+  const std::string records = content(folder / "records.csv"), tables = content(folder / "ggx.h5");
+  for (const std::string name : {"records.csv", "ggx.h5", "none/verdict.json", "."}) {
+    CAPTURE(name);
+    const Result r = folder.run("check ./records.csv --against ./ggx.h5 --json " + name);
+    CHECK(r.status == 2);
+    CHECK(r.out.empty());
+    CHECK_THAT(r.error, contains(name + ": "));
+  }
+  CHECK(folder.run("check records.csv --against ggx --u-error nan").status == 2);
+  CHECK(folder.run_on_full_disk("check records.csv --against ggx").status == 2);
+  CHECK(content(folder / "records.csv") == records);
+  CHECK(content(folder / "ggx.h5") == tables);
 }

@@ -13,9 +13,11 @@
 
 #include "catch.h"
 #include "closed_forms.h"
+#include "directions.h"
 #include "precompute/build_tables.h"
 #include "precompute/distribution_spec.h"
 #include "random_inputs.h"
+#include "slope_midpoints.h"
 #include "vndf/reference/ggx_caps.h"
 #include "vndf/tabulated_sampler.h"
 
@@ -58,11 +60,6 @@ const precompute::BuiltTables& precise_ggx() {
 template <class T>
 Vec3<T> cast(const Vec3<double>& v) {
   return {static_cast<T>(v.x), static_cast<T>(v.y), static_cast<T>(v.z)};
-}
-
-template <class T>
-bool same(const Vec3<T>& a, const Vec3<T>& b) {
-  return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
 /// alpha log-uniform in [0.05, 1], theta below 89 degrees, u in the inner part of the unit square.
@@ -218,24 +215,6 @@ const std::vector<std::string> kFamilies{"beckmann",
                                          "blinn-phong:n=50",
                                          "mixture:0.7*ggx+0.3*beckmann@0.33",
                                          "mixture:0.5*ggx+0.5*beckmann@0.01"};
-
-/// Midpoint rule over slopes of the tangent plane, finest at the centre.
-template <class F>
-double over_slopes(F f, const Alpha<double>& alpha) {
-  constexpr int kRings = 500, kSpokes = 200;
-  double sum = 0;
-  for (int i = 0; i < kRings; ++i) {
-    const double t = (i + 0.5) / kRings, r = t * t / (1 - t) / (1 - t);
-    const double dr = 2 * t / ((1 - t) * (1 - t) * (1 - t)) / kRings;
-    for (int j = 0; j < kSpokes; ++j) {
-      const double phi = 2 * std::numbers::pi * (j + 0.5) / kSpokes;
-      const double x = alpha.x * r * std::cos(phi), y = alpha.y * r * std::sin(phi);
-      const double z = 1 / std::sqrt(1 + x * x + y * y);
-      sum += f(Vec3<double>{-x * z, -y * z, z}) * z * z * z * r * dr;
-    }
-  }
-  return sum * alpha.x * alpha.y * 2 * std::numbers::pi / kSpokes;
-}
 
 /// The tables of `from` with marginal columns first to last held at one value.
 SlopeTables with_plateau(const SlopeTables& from, std::size_t first, std::size_t last) {

@@ -110,7 +110,7 @@ TEST_CASE("height-correlated transmission is the mean over heights of both visib
 
 TEST_CASE("separable masking is the product of both") {
   const ExactGgx<double> ggx;
-  const auto wi = direction<double>(70), wo = direction<double>(50, 120);
+  const auto wi = direction_at<double>(70), wo = direction_at<double>(50, 120);
   const Vec3<double> m = normalize_or_up(Vec3<double>{0.2, 0.1, 1}), below{wo.x, wo.y, -wo.z};
   const Alpha<double> alpha{0.5, 0.3};
   CHECK(g2_of<SmithSeparable>(wi, wo, m, alpha) == Approx(ggx.g1(wi, alpha) * ggx.g1(wo, alpha)));
@@ -125,11 +125,12 @@ TEST_CASE("V-cavities mask by the twin facet alone") {
   const Alpha<double> alpha{0.5, 0.5};
   // Facet and twin seen from the side: the part of the facet that the twin leaves in sight, by the
   // similar triangles of the cavity, is 2 wm.z w.z / (w.wm).
-  const auto m = direction<double>(40), near = direction<double>(30), low = direction<double>(80);
+  const auto m = direction_at<double>(40), near = direction_at<double>(30),
+             low = direction_at<double>(80);
   CHECK(VCavityMasking::g1(ggx, near, m, alpha) == 1);
   CHECK(VCavityMasking::g1(ggx, low, m, alpha) ==
         Approx(2 * std::cos(40 * kDegree) * std::cos(80 * kDegree) / std::cos(40 * kDegree)));
-  CHECK(VCavityMasking::g1(ggx, direction<double>(80, 180), m, alpha) == 0);
+  CHECK(VCavityMasking::g1(ggx, direction_at<double>(80, 180), m, alpha) == 0);
   CHECK(VCavityMasking::shadowing_of_reflection(0.5, 0.4) == Approx(0.4 / 0.5));
   CHECK(VCavityMasking::shadowing_of_reflection(0.4, 0.5) == 1);
   CHECK(VCavityMasking::shadowing_of_transmission(0.5, 0.4) == 0);

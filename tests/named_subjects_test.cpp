@@ -3,6 +3,7 @@
 #include "validate/named_subjects.h"
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <string>
 
@@ -11,8 +12,11 @@
 #include "validate/furnace_test.h"
 #include "validate/judge.h"
 #include "validate/quantile_error.h"
+#include "validate/widened_surface.h"
 #include "vndf/reference/beckmann_analytic.h"
 #include "vndf/reference/ggx_analytic.h"
+#include "vndf/reference/ggx_ndf.h"
+#include "vndf/reference/walter_roughness.h"
 
 using namespace vndf;
 using namespace vndf::validate;
@@ -33,11 +37,22 @@ const Finding& find(const std::vector<Finding>& findings, const std::string& sta
 }
 
 /// Samplers that are right, and those with a published defect.
-const std::vector<std::string> kRight{"beckmann-exact", "ggx-exact",         "ggx-hemisphere",
-                                      "ggx-caps",       "beckmann-ndf",      "ggx-ndf",
-                                      "gtr-2-ndf",      "beckmann-v-cavity", "ggx-v-cavity"};
+const std::vector<std::string> kRight{"beckmann-exact",    "ggx-exact",    "ggx-hemisphere",
+                                      "ggx-caps",          "beckmann-ndf", "ggx-ndf",
+                                      "beckmann-walter",   "ggx-walter",   "gtr-2-ndf",
+                                      "beckmann-v-cavity", "ggx-v-cavity"};
 const std::vector<std::string> kDefective{"beckmann-analytic", "ggx-analytic", "blinn-phong-ndf",
                                           "gtr-1.5-ndf"};
+
+/// Walter's trick with its constants exchanged: 0.8 + 0.2 sqrt(cos(theta)) instead of 1.2 - ...
+template <class T>
+class WidenedWrongly : public WalterRoughness<T, GgxNdf<T>> {
+ public:
+  Vec3<T> sample(const Vec3<T>& wi, const Alpha<T>& alpha, T u1, T u2) const noexcept {
+    const T factor = T(0.8) + T(0.2) * std::sqrt(std::abs(wi.z));
+    return GgxNdf<T>().sample(wi, {factor * alpha.x, factor * alpha.y}, u1, u2);
+  }
+};
 
 }  // namespace
 
@@ -103,6 +118,14 @@ TEST_CASE("the cones of the analytic methods are found, as large as at their edg
 TEST_CASE("masking that is of another distribution is found") {
   for (const std::string name : {"blinn-phong-ndf", "gtr-1.5-ndf"})
     CHECK_FALSE(find(test_furnace(subject_of(name), {}), "weak white furnace - 1").passed());
+}
+
+TEST_CASE("Walter's widened roughness is judged by the paper's factor, not by the sampler's") {
+  const Subject right = subject_of("ggx-walter");
+  const Subject wrong = make_subject<float>(
+      "mistaken", right.law, WidenedSurface<float, WidenedWrongly<float>>(), right.claims);
+  CHECK(all_passed(measure_even_law(right, 20000, {})));
+  CHECK_FALSE(all_passed(measure_even_law(wrong, 20000, {})));
 }
 
 TEST_CASE("every reference sampler gets its verdict at the default setting", "[.slow]") {

@@ -39,17 +39,13 @@ class Folder {
 
   std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
 
+  /// Where nothing can be printed.
+  Result run_on_full_disk(const std::string& arguments) const {
+    return run_to("/dev/full", arguments, "");
+  }
+
   Result run(const std::string& arguments, const std::string& input = "") const {
-    const std::filesystem::path streams = path_.string() + "-streams";
-    std::filesystem::create_directories(streams);
-    std::ofstream(streams / "in") << input;
-    const std::string command = "cd " + path_.string() + " && " VNDF_PROGRAM " " + arguments +
-                                " <" + (streams / "in").string() + " >" +
-                                (streams / "out").string() + " 2>" + (streams / "error").string();
-    const int status = std::system(command.c_str());
-    const Result result{WEXITSTATUS(status), content(streams / "out"), content(streams / "error")};
-    std::filesystem::remove_all(streams);
-    return result;
+    return run_to("", arguments, input);
   }
 
   /// Names of the files inside.
@@ -61,6 +57,22 @@ class Folder {
   }
 
  private:
+  /// Standard output goes to `place`, or to the result where that is empty.
+  Result run_to(const std::string& place, const std::string& arguments,
+                const std::string& input) const {
+    const std::filesystem::path streams = path_.string() + "-streams";
+    std::filesystem::create_directories(streams);
+    std::ofstream(streams / "in") << input;
+    const std::string command = "cd " + path_.string() + " && " VNDF_PROGRAM " " + arguments +
+                                " <" + (streams / "in").string() + " >" +
+                                (place.empty() ? (streams / "out").string() : place) + " 2>" +
+                                (streams / "error").string();
+    const int status = std::system(command.c_str());
+    const Result result{WEXITSTATUS(status), content(streams / "out"), content(streams / "error")};
+    std::filesystem::remove_all(streams);
+    return result;
+  }
+
   std::filesystem::path path_;
 };
 

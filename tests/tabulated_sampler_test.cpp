@@ -10,7 +10,10 @@
 #include "built_tables.h"
 #include "catch.h"
 #include "closed_forms.h"
+#include "directions.h"
 #include "random_inputs.h"
+#include "slope_midpoints.h"
+#include "stated_results.h"
 #include "tolerances.h"
 #include "vndf/normal_sampler.h"
 
@@ -22,7 +25,6 @@ namespace {
 static_assert(NormalSampler<TabulatedSampler<float>, float>);
 static_assert(NormalSampler<TabulatedSampler<double>, double>);
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr float kJustBelowOne = 1 - 0x1p-24f;
 
 template <class T>
@@ -30,29 +32,11 @@ TabulatedSampler<T> sampler_of(const std::string& distribution) {
   return TabulatedSampler<T>(large_tables(distribution).tables);
 }
 
-template <class T>
-Vec3<T> direction(double degrees, double azimuth = 0) {
-  const double theta = degrees * kDegree, phi = azimuth * kDegree;
-  return {static_cast<T>(std::sin(theta) * std::cos(phi)),
-          static_cast<T>(std::sin(theta) * std::sin(phi)), static_cast<T>(std::cos(theta))};
-}
-
-template <class T>
-bool finite_unit(const Vec3<T>& m) {
-  return std::isfinite(m.x) && std::isfinite(m.y) && std::isfinite(m.z) &&
-         std::abs(dot(m, m) - 1) < 8 * std::numeric_limits<T>::epsilon() && m.z >= 0;
-}
-
-template <class T>
-bool same(const Vec3<T>& a, const Vec3<T>& b) {
-  return a.x == b.x && a.y == b.y && a.z == b.z;
-}
-
 /// Largest of |CDF - u| for the slopes of sample() at roughness `alpha`, by the closed forms.
 template <class T, class Forms>
 double worst_u_error(double degrees, double alpha) {
   const auto sampler = sampler_of<T>(Forms::name);
-  const Vec3<T> wi = direction<T>(degrees);
+  const Vec3<T> wi = direction_at<T>(degrees);
   const double cosine = double{wi.z}, sine = double{wi.x} * alpha;
   double worst = 0;
   for (int i = 1; i < 60; ++i)
@@ -70,7 +54,7 @@ template <class T, class Forms>
 void check_functions(double degrees, const Alpha<double>& alpha, double bound) {
   const auto sampler = sampler_of<T>(Forms::name);
   const Alpha<T> a{static_cast<T>(alpha.x), static_cast<T>(alpha.y)};
-  const Vec3<T> w = direction<T>(degrees, 30);
+  const Vec3<T> w = direction_at<T>(degrees, 30);
   const double ax = a.x, ay = a.y;
   const double c = double{w.z} / std::hypot(ax * w.x, ay * w.y);
   const double lambda = Forms::lambda(c);
@@ -79,7 +63,7 @@ void check_functions(double degrees, const Alpha<double>& alpha, double bound) {
   CHECK(double{sampler.g1(w, a)} == Approx(1 / (1 + lambda)).epsilon(bound));
 
   for (const double tilt : {0.0, 5.0, 30.0, 60.0}) {
-    const Vec3<T> m = direction<T>(tilt, 200);
+    const Vec3<T> m = direction_at<T>(tilt, 200);
     // D of the stretched normal, of which the slope is divided by alpha.
     const double sx = m.x / ax / m.z, sy = m.y / ay / m.z;
     const double cosine = 1 / std::sqrt(1 + sx * sx + sy * sy);
@@ -92,28 +76,6 @@ void check_functions(double degrees, const Alpha<double>& alpha, double bound) {
     CHECK(std::abs(double{sampler.pdf(w, m, a)} - density) <=
           bound * d / (double{w.z} * (1 + lambda)));
   }
-}
-
-/// int D(m) cos(m) over the hemisphere, and int pdf(wi, m), by the midpoint rule over slopes mapped
-/// to the unit square.
-template <class F>
-double over_normals(F f, const Alpha<double>& alpha) {
-  constexpr int kRings = 600, kSpokes = 240;
-  double sum = 0;
-  for (int i = 0; i < kRings; ++i) {
-    const double t = (i + 0.5) / kRings, r = t * t / (1 - t) / (1 - t);
-    const double dr = 2 * t / ((1 - t) * (1 - t) * (1 - t)) / kRings;
-    for (int j = 0; j < kSpokes; ++j) {
-      const double phi = 2 * std::numbers::pi * (j + 0.5) / kSpokes;
-      const double x = alpha.x * r * std::cos(phi), y = alpha.y * r * std::sin(phi);
-      const double z = 1 / std::sqrt(1 + x * x + y * y);
-      // dm = z^3 d(slope), d(slope) = alpha_x alpha_y r dr dphi
-      const double measure =
-          z * z * z * alpha.x * alpha.y * r * dr * 2 * std::numbers::pi / kSpokes;
-      sum += f(Vec3<double>{-x * z, -y * z, z}) * measure;
-    }
-  }
-  return sum;
 }
 
 }  // namespace
@@ -145,11 +107,11 @@ TEST_CASE("D projects to area 1 and pdf integrates to 1") {
     for (const Alpha<double> alpha : {Alpha<double>{1, 1}, {0.2, 0.05}}) {
       CAPTURE(name, alpha.x, alpha.y);
       const auto projected = [&](const Vec3<double>& m) { return sampler.d(m, alpha) * m.z; };
-      CHECK(over_normals(projected, alpha) == Approx(1).margin(2e-5));
+      CHECK(over_slopes(projected, alpha) == Approx(1).margin(2e-5));
       for (const double degrees : {0.0, 40.0, 75.0}) {
-        const auto wi = direction<double>(degrees, 60);
+        const auto wi = direction_at<double>(degrees, 60);
         const auto pdf = [&](const Vec3<double>& m) { return sampler.pdf(wi, m, alpha); };
-        CHECK(over_normals(pdf, alpha) == Approx(1).margin(1e-3));  // a kink where wi grazes m
+        CHECK(over_slopes(pdf, alpha) == Approx(1).margin(1e-3));  // a kink where wi grazes m
       }
     }
   }
@@ -158,8 +120,8 @@ TEST_CASE("D projects to area 1 and pdf integrates to 1") {
 TEST_CASE("anisotropy is a stretch: the azimuth of the stretched direction turns the slopes") {
   // At alpha_x = alpha_y the map turns with wi.
   const auto sampler = sampler_of<double>("ggx");
-  const auto straight = sampler.sample(direction<double>(50, 0), {0.4, 0.4}, 0.3, 0.8);
-  const auto turned = sampler.sample(direction<double>(50, 70), {0.4, 0.4}, 0.3, 0.8);
+  const auto straight = sampler.sample(direction_at<double>(50, 0), {0.4, 0.4}, 0.3, 0.8);
+  const auto turned = sampler.sample(direction_at<double>(50, 70), {0.4, 0.4}, 0.3, 0.8);
   const double cosine = std::cos(70 * kDegree), sine = std::sin(70 * kDegree);
   CHECK(turned.x == Approx(cosine * straight.x - sine * straight.y).margin(1e-14));
   CHECK(turned.y == Approx(sine * straight.x + cosine * straight.y).margin(1e-14));
@@ -169,7 +131,7 @@ TEST_CASE("anisotropy is a stretch: the azimuth of the stretched direction turns
 TEST_CASE("slope_x increases with u1 from -infinity to cot(theta), slope_y with u2") {
   const auto sampler = sampler_of<float>("ggx");
   for (const double degrees : {0.0, 20.0, 60.0, 89.0}) {
-    const auto wi = direction<float>(degrees);
+    const auto wi = direction_at<float>(degrees);
     Vec2<float> last_x{-INFINITY, 0}, last_y{0, -INFINITY};
     for (int k = 0; k <= 3000; ++k) {
       const float u = static_cast<float>(k) / 3000;
@@ -193,7 +155,7 @@ TEST_CASE("along an azimuth the map is continuous up to normal incidence") {
   const auto sampler = sampler_of<double>("ggx");
   const auto at_pole = sampler.sample({0, 0, 1}, {1, 1}, 0.3, 0.6);
   for (const double degrees : {1e-12, 1e-6, 1e-3, 0.1, 0.2563}) {
-    const auto near = sampler.sample(direction<double>(degrees), {1, 1}, 0.3, 0.6);
+    const auto near = sampler.sample(direction_at<double>(degrees), {1, 1}, 0.3, 0.6);
     const double moved = slope_of(near).x - slope_of(at_pole).x;
     const double x = slope_of(at_pole).x;
     const double expected = -std::tan(degrees * kDegree) * GgxForms::m(x) / GgxForms::p(x);
@@ -219,7 +181,7 @@ TEST_CASE("the map is continuous in every argument") {
     const double ax = 0.1 + inputs.uniform(), ay = 0.1 + inputs.uniform();
     const double u1 = 0.01 + 0.98 * inputs.uniform(), u2 = 0.01 + 0.98 * inputs.uniform();
     const auto at = [&](double dt, double dp, double da, double d1, double d2) {
-      return sampler.sample(direction<double>(degrees + dt, phi + dp), {ax + da, ay}, u1 + d1,
+      return sampler.sample(direction_at<double>(degrees + dt, phi + dp), {ax + da, ay}, u1 + d1,
                             u2 + d2);
     };
     const auto m = at(0, 0, 0, 0, 0);
@@ -237,7 +199,7 @@ TEST_CASE("the corners of u give finite unit normals that face wi") {
       for (const Alpha<float> alpha : {Alpha<float>{1, 1}, {1e-4f, 0.1f}, {10, 1e-2f}})
         for (const float u1 : corners)
           for (const float u2 : corners) {
-            Vec3<float> wi = direction<float>(degrees, 33);
+            Vec3<float> wi = direction_at<float>(degrees, 33);
             wi.z = std::max(wi.z, 0.0f);
             const auto m = sampler.sample(wi, alpha, u1, u2);
             CAPTURE(name, degrees, alpha.x, alpha.y, u1, u2, m.x, m.y, m.z);
@@ -250,30 +212,13 @@ TEST_CASE("the corners of u give finite unit normals that face wi") {
 }
 
 TEST_CASE("an input outside its range gives the stated result") {
-  const auto sampler = sampler_of<float>("ggx");
-  const Vec3<float> up{0, 0, 1}, wi = direction<float>(40);
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  for (const Alpha<float> alpha : {Alpha<float>{0, 1}, {1, -1}, {nan, 1}, {1, INFINITY}}) {
-    CHECK(same(sampler.sample(wi, alpha, 0.3f, 0.4f), up));
-    CHECK(sampler.pdf(wi, up, alpha) == 0);
-    CHECK(sampler.d(up, alpha) == 0);
-    CHECK(sampler.lambda(wi, alpha) == 0);
-    CHECK(sampler.g1(wi, alpha) == 0);
-  }
-  for (const Vec3<float> bad :
-       {Vec3<float>{0, 0.6f, -0.8f}, {nan, 0, 1}, {0, nan, 1}, {0, 0, nan}}) {
-    CHECK(same(sampler.sample(bad, {1, 1}, 0.3f, 0.4f), up));
-    CHECK(sampler.pdf(bad, up, {1, 1}) == 0);
-  }
-  CHECK(same(sampler.sample(wi, {1, 1}, nan, 0.4f), sampler.sample(wi, {1, 1}, 0, 0.4f)));
-  CHECK(same(sampler.sample(wi, {1, 1}, -2, 0.4f), sampler.sample(wi, {1, 1}, 0, 0.4f)));
-  CHECK(same(sampler.sample(wi, {1, 1}, 9, 0.4f), sampler.sample(wi, {1, 1}, 1, 0.4f)));
+  check_stated_results(sampler_of<float>("ggx"));
 }
 
 TEST_CASE(
     "masking below the horizon is that of the mirrored direction; at the horizon all is hidden") {
   const auto sampler = sampler_of<double>("beckmann");
-  const auto above = direction<double>(50), below = Vec3<double>{above.x, above.y, -above.z};
+  const auto above = direction_at<double>(50), below = Vec3<double>{above.x, above.y, -above.z};
   CHECK(sampler.lambda(above, {1, 1}) == sampler.lambda(below, {1, 1}));
   CHECK(sampler.g1(above, {1, 1}) == sampler.g1(below, {1, 1}));
   CHECK(sampler.lambda({1, 0, 0}, {1, 1}) == INFINITY);
@@ -284,7 +229,7 @@ TEST_CASE(
 
 TEST_CASE("the density stays finite at the horizon") {
   const auto sampler = sampler_of<float>("ggx");
-  const Vec3<float> horizon{1, 0, 0}, wm = direction<float>(45);
+  const Vec3<float> horizon{1, 0, 0}, wm = direction_at<float>(45);
   // G1 / wi.z tends to 1 / (sin(theta) M(0)) = 2 for GGX.
   CHECK(sampler.pdf(horizon, wm, {1, 1}) ==
         Approx(2 * dot(horizon, wm) / std::numbers::pi).epsilon(1e-6));

@@ -11,18 +11,10 @@
 #include <vector>
 
 #include "closed_forms.h"
+#include "directions.h"
 #include "vndf/vec.h"
 
 namespace vndf::test {
-
-/// The direction at `degrees` from the pole and the azimuth `phi`, in degrees.
-template <class T>
-Vec3<T> direction_at(double degrees, double phi = 0) {
-  const double theta = degrees * std::numbers::pi / 180, turn = phi * std::numbers::pi / 180;
-  const double z = degrees == 90 ? 0 : std::cos(theta);
-  return {static_cast<T>(std::sin(theta) * std::cos(turn)),
-          static_cast<T>(std::sin(theta) * std::sin(turn)), static_cast<T>(z)};
-}
 
 /// Normals to uniform pairs (V(x), P(Y <= y | x)) by the closed forms of `Forms`.
 template <class Forms>

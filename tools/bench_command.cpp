@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "arguments.h"
 #include "bench/entrants.h"
 #include "bench/speed_plot.h"
 #include "bench/speed_report.h"
 #include "commands.h"
 #include "gnuplot.h"
-#include "io/refusal.h"
-#include "io/whole_file.h"
+#include "output_file.h"
 
 namespace vndf::tools {
 namespace {
@@ -32,17 +32,11 @@ void make_quick(bench::FieldOptions& field, bench::SpeedOptions& speed) {
   speed.samples = std::size_t{1} << 16;
 }
 
-void write_json(const std::string& path, const bench::SpeedReport& report) {
-  try {
-    io::replace_file(path, bench::to_json(report).dump(2) + '\n');
-  } catch (const io::Refusal& refusal) {
-    throw std::runtime_error(path + ": " + refusal.what());
-  }
-}
-
 void run_bench(const BenchArguments& arguments) {
-  // A name that cannot be drawn to is refused before any work.
+  // A name that cannot be written to is refused before any work.
   const std::string terminal = arguments.plot.empty() ? "" : terminal_for(arguments.plot);
+  for (const std::string& name : {arguments.json, arguments.plot})
+    if (!name.empty()) require_output(name);
   bench::FieldOptions field{.distributions = arguments.distributions};
   bench::SpeedOptions speed{.collect = {.repetitions = arguments.repetitions}, .program = kProgram};
   if (isatty(STDERR_FILENO) != 0)
@@ -52,8 +46,10 @@ void run_bench(const BenchArguments& arguments) {
   const auto report =
       bench::measure_speed(bench::chosen(bench::entrants(field), arguments.only), speed);
   std::cout << bench::describe(report);
-  if (!arguments.json.empty()) write_json(arguments.json, report);
-  if (!terminal.empty()) run_gnuplot(bench::speed_plot(report, terminal, arguments.plot));
+  if (!arguments.json.empty()) write_json(arguments.json, bench::to_json(report));
+  if (!terminal.empty())
+    draw(arguments.plot,
+         [&](const std::string& name) { return bench::speed_plot(report, terminal, name); });
 }
 
 }  // namespace
@@ -69,7 +65,7 @@ void add_bench(CLI::App& app) {
   command
       ->add_option("--repetitions", arguments->repetitions,
                    "Repetitions of each timing, whose median counts")
-      ->check(CLI::PositiveNumber)
+      ->check(whole_number(1, 1000000))
       ->capture_default_str();
   command->add_option("--json", arguments->json, "Write all figures to this file");
   command->add_option("--plot", arguments->plot,

@@ -11,9 +11,11 @@
 #include <stdexcept>
 #include <string>
 
+#include "arguments.h"
 #include "commands.h"
 #include "distribution_source.h"
 #include "io/table_file.h"
+#include "output_file.h"
 #include "precompute/build_tables.h"
 #include "precompute/smallest_tables.h"
 #include "report.h"
@@ -126,7 +128,9 @@ void require_layout(const BuildArguments& arguments, std::size_t layout_options_
 
 void build(const BuildArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
-  io::format_for(arguments.output);  // refuses an unknown extension before any work
+  // What cannot be written is refused before any work.
+  io::format_for(arguments.output);
+  require_output(arguments.output, {arguments.source.profile, arguments.source.map});
   const auto source = make_distribution(arguments.source);
   Size size{};
   parse_size(arguments.size, size);
@@ -177,15 +181,15 @@ void add_build(CLI::App& app) {
   command
       ->add_option("--max-bytes", arguments->max_bytes,
                    "Find the smallest tables that keep --tolerance, of at most so many bytes")
-      ->check(CLI::PositiveNumber);
+      ->check(whole_number(1));
   command
       ->add_option("--tolerance", arguments->tolerance,
                    "Largest u-error to accept; tables that exceed it are not written")
-      ->check(CLI::PositiveNumber);
-  command->add_option("--threads", arguments->threads, "Threads; 0 for one per processor")
-      ->capture_default_str();
-  command->add_flag("--json", arguments->json, "Print the report as one JSON object");
-  command->add_flag("--quiet", arguments->quiet, "Print nothing, draw no progress bar");
+      ->check(positive_number());
+  add_threads(*command, arguments->threads);
+  auto* json = command->add_flag("--json", arguments->json, "Print the report as one JSON object");
+  command->add_flag("--quiet", arguments->quiet, "Print nothing, draw no progress bar")
+      ->excludes(json);
   command->add_flag("--list", arguments->list, "List the named distributions and stop");
   command->callback([arguments, command] {
     if (arguments->list) {

@@ -6,8 +6,10 @@
 #include <memory>
 #include <string>
 
+#include "arguments.h"
 #include "commands.h"
 #include "judged.h"
+#include "output_file.h"
 #include "precompute/distribution_spec.h"
 #include "validate/judge_records.h"
 #include "validate/records.h"
@@ -58,13 +60,18 @@ std::string conclusion(const validate::Verdict& verdict) {
 
 validate::Verdict check(const CheckArguments& a) {
   const auto law = against(a.against);
-  auto verdict = judge_records(validate::read_records(a.records), *law, options_of(a));
+  const auto records = validate::read_records(a.records);
+  if (records.list.size() < validate::kFewestRecords)
+    throw std::runtime_error(fmt::format("{}: it has {} records; give {} or more, better a million",
+                                         a.records, records.list.size(), validate::kFewestRecords));
+  auto verdict = judge_records(records, *law, options_of(a));
   verdict.subject = a.records + " against " + a.against;
   return verdict;
 }
 
 /// True if the records are accepted.
 bool check_and_report(const CheckArguments& a) {
+  if (!a.json.empty()) require_output(a.json, {a.records, a.against});
   const auto verdict = check(a);
   std::cout << describe(verdict) << conclusion(verdict);
   if (!a.json.empty()) {
@@ -72,6 +79,7 @@ bool check_and_report(const CheckArguments& a) {
     report["program"] = kProgram;
     write_json(a.json, report);
   }
+  require_printed();
   return verdict.passed();
 }
 
@@ -93,10 +101,9 @@ void add_check(CLI::App& app) {
       ->check(CLI::IsMember({"detect", "yes", "no"}))
       ->capture_default_str();
   command->add_option("--u-error", a->u_error, "Largest error of the map in u")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->capture_default_str();
-  command->add_option("--threads", a->threads, "Threads; 0 for one per processor")
-      ->capture_default_str();
+  add_threads(*command, a->threads);
   command->add_option("--json", a->json, "Write the verdict to this file too");
   command->callback([a] {
     bool accepted = false;

@@ -4,6 +4,7 @@
 
 #include "commands.h"
 #include "io/table_file.h"
+#include "output_file.h"
 
 namespace vndf::tools {
 
@@ -17,6 +18,7 @@ void add_convert(CLI::App& app) {
   command->add_option("output", arguments->output, "Table file to write: .h5 or .exr")->required();
   command->callback([arguments] {
     io::format_for(arguments->output);
+    require_output(arguments->output);
     io::save(arguments->output, io::load(arguments->input));
   });
 }

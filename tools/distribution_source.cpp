@@ -264,7 +264,7 @@ DistributionSource distribution_of_recipe(const std::string& recipe) {
   CLI::App app;
   SourceArguments arguments;
   add_source_options(app, arguments);
-  std::string ignored;
+  std::string ignored;  // what a recipe says of the tables
   for (const char* option : {"--size", "--rows", "--precision", "--tolerance", "--max-bytes", "-o"})
     app.add_option(option, ignored);
   app.parse(words);

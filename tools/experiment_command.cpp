@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "arguments.h"
 #include "commands.h"
 #include "io/table_file.h"
 #include "precompute/build_tables.h"
@@ -148,9 +149,9 @@ void print(const VarianceArguments& a, const std::string& distribution,
 }
 
 void variance(const VarianceArguments& a) {
+  const auto lights = lights_of(a);  // refused before any work
   const auto tables = tables_of(a);
   const auto estimators = validate::named_estimators(tables);
-  const auto lights = lights_of(a);
   std::vector<std::vector<EstimatorResult>> results;
   for (const auto& light : lights) {
     VarianceOptions options = options_of(a);
@@ -196,9 +197,10 @@ void add_experiment(CLI::App& app) {
   command->add_option("--samples", a->samples, "For each estimator; rounded up to blocks of 65536")
       ->check(CLI::Validator(samples_rule, "N"))
       ->capture_default_str();
-  command->add_option("--seed", a->seed, "Seed of the random numbers")->capture_default_str();
-  command->add_option("--threads", a->threads, "Threads; 0 for one per processor")
+  command->add_option("--seed", a->seed, "Seed of the random numbers")
+      ->check(whole_number())
       ->capture_default_str();
+  add_threads(*command, a->threads);
   command->add_flag("--json", a->json, "Print one JSON object");
   command->callback([a] {
     if (a->distribution.empty() && a->tables.empty())

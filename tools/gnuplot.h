@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 namespace vndf::tools {
@@ -10,8 +11,11 @@ namespace vndf::tools {
 /// .png or .svg and holds nothing that ends a quoted name in a script.
 std::string terminal_for(const std::string& output);
 
-/// Runs a script. Throws std::runtime_error if gnuplot is missing or fails.
-void run_gnuplot(const std::string& script);
+/// Runs gnuplot on the script that `script_for` makes for the name of the file to draw to, which
+/// becomes `output` when it is whole. Throws std::runtime_error, naming `output`, if gnuplot is
+/// missing or fails; then nothing is left behind.
+void draw(const std::string& output,
+          const std::function<std::string(const std::string&)>& script_for);
 
 /// Throws std::runtime_error if gnuplot is missing: to be asked before long work.
 void require_gnuplot();

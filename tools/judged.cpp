@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "distribution_source.h"
-#include "io/whole_file.h"
 #include "precompute/distribution_spec.h"
 
 namespace vndf::tools {
@@ -107,10 +106,6 @@ nlohmann::ordered_json to_json(const Verdict& verdict) {
           {"visible_u_error", verdict.visible_u_error},
           {"visible_bin_error", verdict.visible_bin_error},
           {"findings", findings}};
-}
-
-void write_json(const std::string& path, const nlohmann::ordered_json& report) {
-  io::replace_file(path, report.dump(2) + "\n");
 }
 
 std::uint64_t fresh_seed() {

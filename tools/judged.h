@@ -27,9 +27,6 @@ std::string describe(const validate::Verdict& verdict);
 /// Place, tests and note are left out where they do not apply.
 nlohmann::ordered_json to_json(const validate::Verdict& verdict);
 
-/// Writes `report` with a line end to `path`, under a temporary name first.
-void write_json(const std::string& path, const nlohmann::ordered_json& report);
-
 /// A fresh seed from the machine, printed so that a run can be repeated.
 std::uint64_t fresh_seed();
 

@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "commands.h"
+#include "output_file.h"
 
 int main(int argc, char** argv) {
   CLI::App app{
@@ -23,6 +24,7 @@ int main(int argc, char** argv) {
   vndf::tools::add_bench(app);
   try {
     app.parse(argc, argv);
+    vndf::tools::require_printed();
   } catch (const CLI::RuntimeError& e) {
     return e.get_exit_code();  // a verdict, already printed
   } catch (const CLI::ParseError& e) {

@@ -10,6 +10,7 @@
 #include "commands.h"
 #include "gnuplot.h"
 #include "io/table_file.h"
+#include "output_file.h"
 #include "vndf/table_coordinates.h"
 
 namespace vndf::tools {
@@ -118,8 +119,10 @@ void add_picture(CLI::App& app) {
       ->required();
   command->callback([arguments] {
     const std::string terminal = terminal_for(arguments->output);
+    require_output(arguments->output);
     const io::TableFile file = io::load(arguments->file);
-    run_gnuplot(script(*file.tables, arguments->output, terminal));
+    draw(arguments->output,
+         [&](const std::string& name) { return script(*file.tables, name, terminal); });
   });
 }
 

@@ -12,8 +12,10 @@
 #include <string>
 #include <vector>
 
+#include "arguments.h"
 #include "commands.h"
 #include "io/table_file.h"
+#include "output_file.h"
 #include "vndf/tabulated_sampler.h"
 
 namespace vndf::tools {
@@ -31,6 +33,7 @@ struct SampleArguments {
 using Inputs = std::array<double, 7>;  // wx wy wz ax ay u1 u2
 
 /// The rule that `v` breaks, or an empty string.
+template <class T>
 std::string broken_rule(const Inputs& v) {
   constexpr double kUnitSlack = 1e-3;
   for (const double value : v)
@@ -38,6 +41,8 @@ std::string broken_rule(const Inputs& v) {
   if (std::abs(std::hypot(v[0], v[1], v[2]) - 1) > kUnitSlack) return "wi must have length 1";
   if (v[2] < 0) return "wi must not be below the horizon (z >= 0)";
   if (!(v[3] > 0 && v[4] > 0)) return "alpha must be > 0";
+  const auto held = [](double alpha) { return T(alpha) > 0 && std::isfinite(T(alpha)); };
+  if (!held(v[3]) || !held(v[4])) return "alpha is beyond single precision; give --double";
   if (!(v[5] >= 0 && v[5] <= 1 && v[6] >= 0 && v[6] <= 1)) return "u1 and u2 must be in [0, 1]";
   return {};
 }
@@ -72,8 +77,10 @@ void flush(fmt::memory_buffer& out, std::size_t limit) {
   if (out.size() < limit) return;
   std::cout.write(out.data(), static_cast<std::streamsize>(out.size()));
   out.clear();
+  if (!std::cout) require_printed();
 }
 
+template <class T>
 Inputs parse_line(const std::string& line, std::size_t number) {
   const auto refuse = [&](const std::string& why) {
     throw std::runtime_error(fmt::format("standard input, line {}: {}", number, why));
@@ -92,7 +99,7 @@ Inputs parse_line(const std::string& line, std::size_t number) {
   }
   skip_blanks();
   if (at != end) refuse("more than the seven numbers wx wy wz ax ay u1 u2");
-  if (const std::string rule = broken_rule(values); !rule.empty()) refuse(rule);
+  if (const std::string rule = broken_rule<T>(values); !rule.empty()) refuse(rule);
   return values;
 }
 
@@ -105,7 +112,7 @@ void sample_lines(const io::TableFile& file) {
   std::string line;
   for (std::size_t number = 1; std::getline(std::cin, line); ++number) {
     try {
-      printer.append(out, parse_line(line, number), ' ');
+      printer.append(out, parse_line<T>(line, number), ' ');
     } catch (...) {
       flush(out, 1);  // the lines before the refused one are answered
       throw;
@@ -116,12 +123,13 @@ void sample_lines(const io::TableFile& file) {
 }
 
 /// The direction as given, brought to unit length.
+template <class T>
 Inputs from_options(const SampleArguments& a) {
   const double length = std::hypot(a.wi[0], a.wi[1], a.wi[2]);
-  if (!(length > 0)) throw CLI::ValidationError("--wi", "must not be the zero vector");
+  if (length == 0) throw CLI::ValidationError("--wi", "must not be the zero vector");
   const Inputs inputs{
       a.wi[0] / length, a.wi[1] / length, a.wi[2] / length, a.alpha.front(), a.alpha.back(), 0, 0};
-  if (const std::string rule = broken_rule(inputs); !rule.empty())
+  if (const std::string rule = broken_rule<T>(inputs); !rule.empty())
     throw CLI::ValidationError("--wi, --alpha", rule);
   return inputs;
 }
@@ -136,7 +144,7 @@ void sample_random(const io::TableFile& file, const SampleArguments& arguments) 
     return std::ldexp(static_cast<double>(random() >> (64 - kBits)), -kBits);
   };
 
-  Inputs inputs = from_options(arguments);
+  Inputs inputs = from_options<T>(arguments);
   fmt::memory_buffer out;
   fmt::format_to(std::back_inserter(out), "u1,u2,slope_x,slope_y,mx,my,mz,pdf\n");
   for (std::size_t i = 0; i < arguments.count; ++i) {
@@ -153,13 +161,12 @@ void sample_random(const io::TableFile& file, const SampleArguments& arguments) 
 template <class T>
 void sample(const SampleArguments& arguments) {
   if (!arguments.from_stdin)
-    from_options(arguments);  // wrong usage is told before the file is read
+    from_options<T>(arguments);  // wrong usage is told before the file is read
   const io::TableFile file = io::load(arguments.file);
   if (arguments.from_stdin)
     sample_lines<T>(file);
   else
     sample_random<T>(file, arguments);
-  if (!std::cout.flush()) throw std::runtime_error("cannot write to standard output");
 }
 
 }  // namespace
@@ -172,9 +179,12 @@ void add_sample(CLI::App& app) {
   wi->delimiter(',')->expected(3)->type_name("X,Y,Z");
   auto* alpha = command->add_option("--alpha", a->alpha, "Roughness along x and y");
   alpha->delimiter(',')->expected(1, 2)->type_name("AX[,AY]");
-  auto* count = command->add_option("-n", a->count, "Number of samples")->capture_default_str();
-  auto* seed =
-      command->add_option("--seed", a->seed, "Seed of the random numbers")->capture_default_str();
+  auto* count = command->add_option("-n", a->count, "Number of samples")
+                    ->check(whole_number())
+                    ->capture_default_str();
+  auto* seed = command->add_option("--seed", a->seed, "Seed of the random numbers")
+                   ->check(whole_number())
+                   ->capture_default_str();
   auto* from_stdin = command->add_flag(
       "--stdin", a->from_stdin,
       "Read lines 'wx wy wz ax ay u1 u2', print lines 'slope_x slope_y mx my mz pdf'");

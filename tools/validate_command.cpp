@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "arguments.h"
 #include "commands.h"
 #include "judged.h"
+#include "output_file.h"
 #include "validate/named_subjects.h"
 #include "validation_report.h"
 
@@ -65,6 +67,7 @@ std::unique_ptr<ValidationReport> report_of(const ValidateArguments& a, std::uin
 
 /// True if all subjects pass.
 bool validate_all(const ValidateArguments& a) {
+  if (!a.json.empty()) require_output(a.json, a.subjects);
   Laws laws;
   std::vector<Subject> subjects;  // wrong names are told before any work
   for (const std::string& argument : a.subjects) subjects.push_back(subject_of(argument, laws));
@@ -91,6 +94,7 @@ bool validate_all(const ValidateArguments& a) {
                         {"passed", passed},
                         {"subjects", std::move(verdicts)}});
   if (report) report->finish();
+  require_printed();
   return passed;
 }
 
@@ -103,9 +107,9 @@ void add_validate(CLI::App& app) {
   command->add_option("subjects", a->subjects, "Table files and names of reference samplers");
   auto* quick = command->add_flag("--quick", a->quick, "Seconds, fewer places and samples");
   command->add_flag("--thorough", a->thorough, "1e9 samples")->excludes(quick);
-  command->add_option("--seed", a->seed, "Seed of the random numbers; a fresh one where not given");
-  command->add_option("--threads", a->threads, "Threads; 0 for one per processor")
-      ->capture_default_str();
+  command->add_option("--seed", a->seed, "Seed of the random numbers; a fresh one where not given")
+      ->check(whole_number());
+  add_threads(*command, a->threads);
   command->add_option("--json", a->json, "Write the verdicts to this file too");
   command->add_option("--report", a->report,
                       "Write a page with pictures and their data to this folder (needs gnuplot)");

@@ -82,30 +82,30 @@ namespace {
 
 HWY_EXPORT(caps_directions);
 
-batch::Samples samples_of(std::span<const float> u1, std::span<const float> u2,
-                          const NormalSpans& wm) {
-  using namespace batch;
-  return {wm.x.size(), Input(u1), Input(u2), Output(wm.x), Output(wm.y), Output(wm.z)};
+/// One direction for all samples, or one for each: `Direction` and `Roughness` are vectors or
+/// spans.
+template <class Direction, class Roughness>
+void dispatch(const Direction& wi, const Roughness& alpha, std::span<const float> u1,
+              std::span<const float> u2, const NormalSpans& wm) {
+  using batch::Input;
+  using batch::Output;
+  batch::Samples samples{wm.x.size(),  Input(u1),    Input(u2),
+                         Output(wm.x), Output(wm.y), Output(wm.z)};
+  batch::DirectionInputs inputs{
+      samples.size, 1, Input(wi.x), Input(wi.y), Input(wi.z), Input(alpha.x), Input(alpha.y)};
+  HWY_DYNAMIC_DISPATCH(caps_directions)(inputs, samples);
 }
 
 }  // namespace
 
 void caps_batch(const DirectionSpans& wi, const AlphaSpans& alpha, std::span<const float> u1,
                 std::span<const float> u2, const NormalSpans& wm) {
-  using batch::Input;
-  batch::Samples samples = samples_of(u1, u2, wm);
-  batch::DirectionInputs inputs{
-      samples.size, 1, Input(wi.x), Input(wi.y), Input(wi.z), Input(alpha.x), Input(alpha.y)};
-  HWY_DYNAMIC_DISPATCH(caps_directions)(inputs, samples);
+  dispatch(wi, alpha, u1, u2, wm);
 }
 
 void caps_batch(const Vec3<float>& wi, const Alpha<float>& alpha, std::span<const float> u1,
                 std::span<const float> u2, const NormalSpans& wm) {
-  using batch::Input;
-  batch::Samples samples = samples_of(u1, u2, wm);
-  batch::DirectionInputs inputs{
-      samples.size, 1, Input(wi.x), Input(wi.y), Input(wi.z), Input(alpha.x), Input(alpha.y)};
-  HWY_DYNAMIC_DISPATCH(caps_directions)(inputs, samples);
+  dispatch(wi, alpha, u1, u2, wm);
 }
 
 }  // namespace vndf::bench

@@ -5,12 +5,20 @@
 #include <cmath>
 
 #include "precompute/conditional_slopes.h"
+#include "precompute/map_errors.h"
 #include "precompute/visible_slopes.h"
 
 namespace vndf::bench {
 
 using precompute::ConditionalSlopes;
+using precompute::density_error;
+using precompute::from_complement;
+using precompute::from_tail;
+using precompute::golden;
+using precompute::keep_farthest;
 using precompute::parallel_for;
+using precompute::tail_ratio;
+using precompute::u_error;
 using precompute::UnitSlopes;
 using precompute::VisibleSlopes;
 using precompute::Workers;
@@ -19,19 +27,11 @@ namespace {
 
 constexpr double kRightAngle = std::numbers::pi / 2;
 constexpr std::size_t kRows = 200;       // golden rows at which a table is judged
-constexpr std::size_t kEdgeRows = 12;    // middles of the first and of the last cells
 constexpr std::size_t kUniform = 256;    // u uniform
 constexpr std::size_t kEdgeColumns = 3;  // first and last cells, each at kPerCell places
 constexpr std::size_t kPerCell = 16;
-constexpr std::size_t kLogarithmic = 24;  // per tail, from 1e-9 to 1e-2
 constexpr double kDensityEnd = 1e-6, kTail = 1e-6;
-
-Probability<double> from_tail(double u) {
-  return {u, 1 - u};
-}
-Probability<double> from_complement(double q) {
-  return {1 - q, q};
-}
+constexpr double kFarthestRatio = 4e5;  // of the mass of that tail
 
 /// u of column j, or the last that has a slope.
 Probability<double> column_u(std::size_t j, std::size_t side) {
@@ -101,22 +101,6 @@ void fill_y(const UnitSlopes& slopes, LiteralTables& tables, const Workers& work
 
 // Judging.
 
-double golden(std::size_t k, double shift = 0.5) {
-  const double x = static_cast<double>(k) * (std::numbers::phi - 1) + shift;
-  return x - std::floor(x);
-}
-
-std::vector<double> off_grid_rows(std::size_t side) {
-  std::vector<double> places;
-  for (std::size_t k = 0; k < kRows; ++k) places.push_back(golden(k));
-  for (std::size_t k = 0; k < std::min(kEdgeRows, side - 1); ++k) {
-    const double middle = (static_cast<double>(k) + 0.5) / static_cast<double>(side - 1);
-    places.push_back(middle);
-    places.push_back(1 - middle);
-  }
-  return places;
-}
-
 std::vector<Probability<double>> probabilities(std::size_t side, double shift) {
   std::vector<Probability<double>> list;
   for (std::size_t k = 0; k < kUniform; ++k) list.push_back(from_tail(golden(k, shift)));
@@ -125,54 +109,23 @@ std::vector<Probability<double>> probabilities(std::size_t side, double shift) {
     list.push_back(from_tail(e));
     list.push_back(from_complement(e));
   }
-  for (std::size_t k = 0; k <= kLogarithmic; ++k) {
-    const double e = 1e-9 * std::pow(1e7, static_cast<double>(k) / kLogarithmic);
-    list.push_back(from_tail(e));
-    list.push_back(from_complement(e));
-  }
+  precompute::add_tails(list);
   return list;
-}
-
-double difference(const Probability<double>& a, const Probability<double>& b) {
-  return b.u < 0.5 ? a.u - b.u : b.complement - a.complement;
-}
-
-/// |d CDF(x(u)) / du - 1|; `law(u)` is the exact CDF of what is sampled for u.
-template <class Law>
-double density_error(const Law& law, const Probability<double>& u) {
-  const double h = 1e-4 * std::min(u.u, u.complement);
-  const Probability<double> below{u.u - h, u.complement + h}, above{u.u + h, u.complement - h};
-  const auto from = law(below), to = law(above);
-  const double mass = u.u < 0.5 ? to.u - from.u : from.complement - to.complement;
-  return std::abs(mass / (2 * h) - 1);
-}
-
-/// e / kTail of the random numbers e of a tail that give the exact tail kTail.
-template <class Mass>
-double tail_ratio(Mass mass) {
-  double low = std::log(1e-12), high = std::log(0.4);
-  for (int i = 0; i < 40; ++i) {
-    const double middle = (low + high) / 2;
-    (mass(std::exp(middle)) < kTail ? low : high) = middle;
-  }
-  return std::exp((low + high) / 2) / kTail;
-}
-
-void keep_farthest(double& ratio, double candidate) {
-  if (std::abs(std::log(candidate)) > std::abs(std::log(ratio))) ratio = candidate;
 }
 
 template <class Law>
 LiteralErrors judge_row(const Law& law, std::size_t index, std::size_t side) {
   LiteralErrors errors;
   for (const auto& u : probabilities(side, golden(index, 0.25))) {
-    errors.max_u_error = std::max(errors.max_u_error, std::abs(difference(law(u), u)));
+    errors.max_u_error = std::max(errors.max_u_error, std::abs(u_error(law(u), u)));
     if (std::min(u.u, u.complement) >= kDensityEnd)
       errors.max_density_error = std::max(errors.max_density_error, density_error(law, u));
   }
-  keep_farthest(errors.tail_ratio, tail_ratio([&](double e) { return law(from_tail(e)).u; }));
-  keep_farthest(errors.tail_ratio,
-                tail_ratio([&](double e) { return law(from_complement(e)).complement; }));
+  const auto keep_tail = [&](auto mass) {
+    keep_farthest(errors.tail_ratio, tail_ratio(mass, kTail, kFarthestRatio));
+  };
+  keep_tail([&](double e) { return law(from_tail(e)).u; });
+  keep_tail([&](double e) { return law(from_complement(e)).complement; });
   return errors;
 }
 
@@ -206,7 +159,7 @@ LiteralErrors measure_literal(const UnitSlopes& slopes,
                               const std::shared_ptr<const LiteralTables>& tables,
                               const Workers& workers) {
   const LiteralSampler<double> sampler(tables);
-  const std::vector<double> places = off_grid_rows(tables->side);
+  const std::vector<double> places = precompute::off_grid_rows(tables->side, kRows);
   std::vector<LiteralErrors> rows(places.size());
   parallel_for(rows.size(), workers, [&](std::size_t i) {
     const double theta = places[i] * kRightAngle;

@@ -4,6 +4,9 @@
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
+#include <system_error>
+
+#include "precompute/words.h"
 
 namespace vndf::precompute {
 namespace {
@@ -26,6 +29,20 @@ void split(std::string_view line, std::vector<std::string_view>& fields) {
 
 }  // namespace
 
+std::ifstream open_csv(const std::filesystem::path& path) {
+  const auto refuse = [&](const char* why) {
+    throw std::runtime_error(path.string() + ": " + why);
+  };
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) refuse("there is no such file; check the path");
+  if (!std::filesystem::is_regular_file(status))
+    refuse("it is not a file; give the path of a file");
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) refuse("it cannot be read; check its permissions");
+  return stream;
+}
+
 bool CsvReader::next_line() {
   while (std::getline(stream_, text_)) {
     ++line_number_;
@@ -44,7 +61,7 @@ double CsvReader::number(std::string_view field) const {
   double value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value))
-    fail_in_line(std::string("'").append(field.substr(0, 60)).append("' is not a finite number"));
+    fail_in_line(quoted(field) + " is not a finite number");
   return value;
 }
 

@@ -4,12 +4,18 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
+#include <fstream>
 #include <istream>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace vndf::precompute {
+
+/// Opens the file at `path` to be read by a CsvReader. Throws std::runtime_error, naming it, if it
+/// is no regular file or cannot be read.
+std::ifstream open_csv(const std::filesystem::path& path);
 
 class CsvReader {
  public:

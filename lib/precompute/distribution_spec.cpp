@@ -26,7 +26,7 @@ class Piece {
   explicit Piece(const std::string& spec) : Piece(spec, 0, spec.size()) {}
 
   std::string_view text() const { return std::string_view(spec_).substr(begin_, end_ - begin_); }
-  std::string quoted() const { return "'" + std::string(text()) + "'"; }
+  std::string quoted() const { return std::string("'").append(text()).append("'"); }
   bool empty() const { return begin_ == end_; }
 
   /// The characters [from, to) of the text.

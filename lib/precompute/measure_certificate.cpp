@@ -8,36 +8,23 @@
 #include <vector>
 
 #include "precompute/conditional_slopes.h"
+#include "precompute/map_errors.h"
 #include "precompute/visible_slopes.h"
 #include "vndf/tabulated_sampler.h"
 
 namespace vndf::precompute {
 namespace {
 
-constexpr std::size_t kRows = 420;        // golden rows of each table
-constexpr std::size_t kEdgeRows = 12;     // middles of the first and of the last cells
-constexpr std::size_t kUniform = 192;     // u uniform, for the mean
-constexpr std::size_t kColumns = 384;     // columns uniform, for the maximum
-constexpr std::size_t kEdgeColumns = 3;   // first and last cells, each at four places
-constexpr std::size_t kLogarithmic = 24;  // per tail, from 1e-9 to 1e-2
-constexpr double kSmallestTail = 1e-9;    // of the slopes x at which the conditional is judged
-constexpr double kDensityEnd = 1e-6;      // the density is judged between this and 1 - this
+constexpr std::size_t kRows = 420;       // golden rows of each table
+constexpr std::size_t kUniform = 192;    // u uniform, for the mean
+constexpr std::size_t kColumns = 384;    // columns uniform, for the maximum
+constexpr std::size_t kEdgeColumns = 3;  // first and last cells, each at four places
+constexpr double kSmallestTail = 1e-9;   // of the slopes x at which the conditional is judged
+constexpr double kDensityEnd = 1e-6;     // the density is judged between this and 1 - this
 constexpr std::size_t kCurvePoints = 4000;
 constexpr double kNdfTail = 1e-12;
+constexpr double kFarthestRatio = 8;  // of the mass of a tail
 constexpr double kDegree = std::numbers::pi / 180;
-
-/// Point k of a sequence that fills [0, 1) evenly and that no grid is commensurate with.
-double golden(std::size_t k, double shift = 0.5) {
-  const double x = static_cast<double>(k) * (std::numbers::phi - 1) + shift;
-  return x - std::floor(x);
-}
-
-Probability<double> from_tail(double u) {
-  return {u, 1 - u};
-}
-Probability<double> from_complement(double q) {
-  return {1 - q, q};
-}
 
 /// Inverse of the conditional column on the whole of u2: [0, 1/2] the lower half of the rows.
 Probability<double> conditional_u2(double t) {
@@ -72,33 +59,13 @@ struct Row {
   }
 };
 
-/// |CDF(x(u)) - u| without cancellation at either end; u is what the sampler was given.
-double u_error(const Probability<double>& cdf, const Probability<double>& u) {
-  return u.u < 0.5 ? std::abs(cdf.u - u.u) : std::abs(cdf.complement - u.complement);
-}
-
-/// Solves mass(e_hat) = e for increasing mass and returns e_hat / e: the sampled over the exact
-/// mass of a tail.
-template <class Mass>
-double tail_ratio(Mass mass, double e) {
-  double low = std::log(e / 8), high = std::log(e * 8);
-  for (int i = 0; i < 24; ++i) {
-    const double middle = (low + high) / 2;
-    (mass(std::exp(middle)) < e ? low : high) = middle;
-  }
-  return std::exp((low + high) / 2) / e;
-}
-
-void keep_farthest(double& ratio, double candidate) {
-  if (std::abs(std::log(candidate)) > std::abs(std::log(ratio))) ratio = candidate;
-}
-
 template <class Mass>
 TailRatios tail_ratios(Mass mass) {
-  return {tail_ratio(mass, 1e-4), tail_ratio(mass, 1e-5), tail_ratio(mass, 1e-6)};
+  return {tail_ratio(mass, 1e-4, kFarthestRatio), tail_ratio(mass, 1e-5, kFarthestRatio),
+          tail_ratio(mass, 1e-6, kFarthestRatio)};
 }
 
-void keep_farthest(TailRatios& ratios, const TailRatios& candidate) {
+void keep_farthest_of_each(TailRatios& ratios, const TailRatios& candidate) {
   keep_farthest(ratios.e4, candidate.e4);
   keep_farthest(ratios.e5, candidate.e5);
   keep_farthest(ratios.e6, candidate.e6);
@@ -115,22 +82,8 @@ std::vector<Probability<double>> hard_probabilities(const R& row, std::size_t co
     places.push_back(row.column_inverse(t));
     places.push_back(row.column_inverse(1 - t));
   }
-  for (std::size_t k = 0; k <= kLogarithmic; ++k) {
-    const double e = 1e-9 * std::pow(1e7, static_cast<double>(k) / kLogarithmic);
-    places.push_back(from_tail(e));
-    places.push_back(from_complement(e));
-  }
+  add_tails(places);
   return places;
-}
-
-/// |d CDF(x(u)) / du - 1| by a central difference of the map in double precision.
-template <class R>
-double density_error(const R& row, const Probability<double>& u) {
-  const double h = 1e-4 * std::min(u.u, u.complement);
-  const Probability<double> below{u.u - h, u.complement + h}, above{u.u + h, u.complement - h};
-  const auto from = row.sampled_double(below), to = row.sampled_double(above);
-  const double mass = u.u < 0.5 ? to.u - from.u : from.complement - to.complement;
-  return std::abs(mass / (2 * h) - 1);
 }
 
 template <class R>
@@ -138,14 +91,15 @@ TableErrors judge_row(const R& row, std::size_t index, std::size_t columns) {
   TableErrors errors;
   const auto judge = [&](const Probability<double>& exact_u) {
     const Probability<double> u = row.given(exact_u);
-    const double error = u_error(row.sampled(u), u);
+    const double error = std::abs(u_error(row.sampled(u), u));
     if (error > errors.max_u_error) {
       errors.max_u_error = error;
       errors.worst_row = row.place;
       errors.worst_u = exact_u.u;
     }
     if (std::min(exact_u.u, exact_u.complement) >= kDensityEnd)
-      errors.max_density_error = std::max(errors.max_density_error, density_error(row, exact_u));
+      errors.max_density_error =
+          std::max(errors.max_density_error, density_error(row.sampled_double, exact_u));
     return error;
   };
   const double shift = golden(index, 0.25);
@@ -167,23 +121,10 @@ TableErrors combine(const std::vector<TableErrors>& rows) {
     }
     all.mean_u_error += r.mean_u_error / static_cast<double>(rows.size());
     all.max_density_error = std::max(all.max_density_error, r.max_density_error);
-    keep_farthest(all.lower, r.lower);
-    keep_farthest(all.upper, r.upper);
+    keep_farthest_of_each(all.lower, r.lower);
+    keep_farthest_of_each(all.upper, r.upper);
   }
   return all;
-}
-
-/// Row coordinates off the grid of `rows` nodes: golden ones and the middles of the outermost
-/// cells.
-std::vector<double> off_grid_rows(std::size_t rows) {
-  std::vector<double> places;
-  for (std::size_t k = 0; k < kRows; ++k) places.push_back(golden(k));
-  for (std::size_t k = 0; k < std::min(kEdgeRows, rows - 1); ++k) {
-    const double middle = (static_cast<double>(k) + 0.5) / static_cast<double>(rows - 1);
-    places.push_back(middle);
-    places.push_back(1 - middle);
-  }
-  return places;
 }
 
 /// Everything that judging needs, made once.
@@ -295,7 +236,7 @@ struct Judge {
 TableErrors judge_marginal(const Judge& judge, const Workers& workers) {
   const RowAxis<double> rows(judge.sampler.tables().marginal_rows);
   std::vector<Judge::Direction> directions;
-  for (const double row : off_grid_rows(judge.sampler.tables().marginal.rows()))
+  for (const double row : off_grid_rows(judge.sampler.tables().marginal.rows(), kRows))
     directions.push_back(Judge::direction(marginal_base_inverse(rows.base(row))));
   for (const double degrees : {0.0, 1e-7, 1e-3, 0.2, 0.3, 89.9, 89.99, 89.999, 90.0})
     directions.push_back(judge.direction(degrees * kDegree));
@@ -309,7 +250,7 @@ TableErrors judge_conditional(const Judge& judge, const Workers& workers) {
   const SlopeTables& tables = judge.sampler.tables();
   const RowAxis<double> rows(tables.conditional_rows);
   std::vector<double> reached;
-  for (const double row : off_grid_rows(tables.conditional.rows())) {
+  for (const double row : off_grid_rows(tables.conditional.rows(), kRows)) {
     const double x = conditional_base_inverse(rows.base(row), tables.conditional_unit);
     if (judge.slopes.m(std::asinh(x)) > kSmallestTail &&
         ConditionalSlopes::reachable(judge.slopes, x))

@@ -19,7 +19,7 @@ void require_positive(double value, const std::string& what, std::size_t index) 
 
 std::string text_of(const Mixture::Component& c) {
   return number_text(c.weight) + "*" + c.distribution->name() +
-         (c.roughness == 1 ? "" : "@" + number_text(c.roughness));
+         (c.roughness == 1 ? "" : std::string("@").append(number_text(c.roughness)));
 }
 
 }  // namespace

@@ -3,14 +3,13 @@
 
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
-#include <system_error>
 
 #include "precompute/csv_reader.h"
+#include "precompute/words.h"
 
 namespace vndf::precompute {
 namespace {
@@ -47,8 +46,7 @@ class Reader {
     for (const Columns& columns : kColumns)
       if (fields.size() == 2 && fields[0] == columns.first && fields[1] == columns.second)
         return columns;
-    csv_.fail_in_line("the header '" + std::string(csv_.line().substr(0, 60)) + "' is not known; " +
-                      accepted());
+    csv_.fail_in_line("the header " + quoted(csv_.line()) + " is not known; " + accepted());
   }
 
   static std::string accepted() {
@@ -100,10 +98,7 @@ RadialProfile read_profile_csv(std::istream& stream, const std::string& name) {
 }
 
 RadialProfile read_profile_csv(const std::filesystem::path& path) {
-  std::error_code error;
-  std::ifstream stream(path, std::ios::binary);
-  if (!std::filesystem::is_regular_file(path, error) || !stream)
-    throw std::runtime_error(path.string() + ": there is no such file, or it cannot be read");
+  std::ifstream stream = open_csv(path);
   return read_profile_csv(stream, path.string());
 }
 

@@ -14,8 +14,11 @@ namespace {
 // Below this distance from the edge at cot(theta) the closed form of 1 - V loses more than two
 // digits, and Gauss's rule on the positive integrand is exact to rounding where P is smooth: where
 // it changes by no more than this factor. A narrow part of a mixture takes a smaller distance, at
-// which the closed form loses more digits of a smaller mass.
+// which the closed form loses more digits of a smaller mass. So does an edge near x = 0 if P has a
+// cusp or a pole there, which two halves of the rule see: half the way to it the rule is exact
+// again.
 constexpr double kNear = 0.25;
+constexpr double kHalvesDiffer = 1e-8;  // relative; P itself is that good
 constexpr double kSmoothRatio = 4;
 constexpr double kNearest = 1e-6;
 // exp(-740) is the smallest normal number: no slope that a table holds lies beyond.
@@ -35,7 +38,7 @@ bool smooth_over(const UnitSlopes& slopes, double low, double high) {
 }
 
 /// From here to the edge Gauss's rule serves: near cot(theta), above the last break of P.
-double smooth_from(const UnitSlopes& slopes, double farthest, double cotangent) {
+double smooth_edge(const UnitSlopes& slopes, double farthest, double cotangent) {
   if (farthest < cotangent) return kInfinity;  // the edge is that of the distribution
   double near = kNear;
   while (near > kNearest && !smooth_over(slopes, farthest - near, farthest)) near /= 2;
@@ -64,7 +67,12 @@ VisibleSlopes::VisibleSlopes(const UnitSlopes& slopes, const BoundedSlope<double
       cosine_(c.numerator() / c.hypotenuse()),
       sine_(c.denominator() / c.hypotenuse()),
       norm_(cosine_ * (1 - slopes.q(cotangent_)) + sine_ * slopes.m(cotangent_)),
-      smooth_from_(smooth_from(slopes, farthest_, cotangent_)) {}
+      smooth_from_(smooth_edge(slopes, farthest_, cotangent_)) {
+  const double middle = farthest_ / 2;
+  if (smooth_from_ >= middle || !(farthest_ > 0)) return;
+  const double whole = gauss(0, farthest_), halves = gauss(0, middle) + gauss(middle, farthest_);
+  if (std::abs(whole - halves) > kHalvesDiffer * halves) smooth_from_ = middle;
+}
 
 double VisibleSlopes::lower_mass(double b) const {
   return cosine_ * slopes_.q(b) + sine_ * slopes_.m(b);
@@ -72,14 +80,14 @@ double VisibleSlopes::lower_mass(double b) const {
 
 double VisibleSlopes::upper_mass(double a) const {
   if (a >= farthest_) return 0;
-  if (a > smooth_from_) return upper_mass_near(a);
+  if (a > smooth_from_) return gauss(a, farthest_);
   return cosine_ * (slopes_.q(a) - slopes_.q(farthest_)) -
          sine_ * (slopes_.m(a) - slopes_.m(farthest_));
 }
 
-double VisibleSlopes::upper_mass_near(double a) const {
+double VisibleSlopes::gauss(double low, double high) const {
   return boost::math::quadrature::gauss<double, 10>::integrate(
-      [this](double t) { return weighted_density(t); }, a, farthest_);
+      [this](double t) { return weighted_density(t); }, low, high);
 }
 
 double VisibleSlopes::weighted_density(double a) const {

@@ -28,10 +28,10 @@ class VisibleSlopes {
   double quantile(const Probability<double>& u, double guess) const;
 
  private:
-  double lower_mass(double b) const;        // N V(-sinh(b)), b >= 0
-  double upper_mass(double a) const;        // N (1 - V(sinh(a))), a >= 0
-  double upper_mass_near(double a) const;   // the same where its closed form cancels
-  double weighted_density(double a) const;  // -d upper_mass / da
+  double lower_mass(double b) const;            // N V(-sinh(b)), b >= 0
+  double upper_mass(double a) const;            // N (1 - V(sinh(a))), a >= 0
+  double weighted_density(double a) const;      // -d upper_mass / da
+  double gauss(double low, double high) const;  // its integral, where it is smooth
 
   const UnitSlopes& slopes_;
   double farthest_, cotangent_, cosine_, sine_, norm_, smooth_from_;

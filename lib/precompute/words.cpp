@@ -48,6 +48,12 @@ std::string rounded_text(double value) {
   return {buffer, end};
 }
 
+std::string quoted(std::string_view text) {
+  std::string shown = "'";
+  for (const char c : text.substr(0, 60)) shown += c >= ' ' && c <= '~' ? c : '?';
+  return shown + "'";
+}
+
 std::string listed(const std::vector<std::string>& words) {
   std::string text;
   for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;

@@ -14,6 +14,10 @@ std::string number_text(double value);
 /// `value` to three significant digits, for messages.
 std::string rounded_text(double value);
 
+/// The start of `text` in single quotes, for messages: 60 bytes at most, and what is not printable
+/// ASCII as '?', for a file may be of any bytes.
+std::string quoted(std::string_view text);
+
 /// "a, b, c".
 std::string listed(const std::vector<std::string>& words);
 

@@ -3,9 +3,10 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
+#include <stdexcept>
 #include <string>
 
+#include "validate/configuration.h"
 #include "vndf/vec.h"
 
 namespace vndf::validate {
@@ -31,9 +32,11 @@ inline Environment smooth_environment() {
 
 /// The same sky with a lamp at `theta` from the normal and `azimuth`, in degrees. It is 1.8 degrees
 /// wide (at exp(-1/2) of its peak), and lights a white surface that faces it as much as the sky
-/// does: 2 pi brightness / sharpness = pi.
+/// does: 2 pi brightness / sharpness = pi. Throws std::invalid_argument for theta outside [0, 90]
+/// or an azimuth that is not finite.
 inline Environment lamp_environment(double theta = 30, double azimuth = 180) {
-  constexpr double kDegree = std::numbers::pi / 180;
+  if (!(theta >= 0 && theta <= 90) || !std::isfinite(azimuth))
+    throw std::invalid_argument("lamp: theta must be in [0, 90] degrees and the azimuth finite");
   Environment light = smooth_environment();
   light.name = "lamp";
   light.lamp = {std::sin(theta * kDegree) * std::cos(azimuth * kDegree),

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <mutex>
 
-#include "validate/random_block.h"
+#include "validate/block_random.h"
 
 namespace vndf::validate {
 namespace {
@@ -13,7 +13,7 @@ constexpr std::uint64_t kBlock = 1 << 15;
 constexpr std::size_t kBatch = 1024;
 
 void count_block(const Subject& subject, const Configuration& c, const ExactLaw& law,
-                 RandomBlock random, std::uint64_t samples, UniformCounts& counts) {
+                 BlockRandom random, std::uint64_t samples, UniformCounts& counts) {
   std::vector<Pair> u(kBatch);
   std::vector<Vec3<double>> wm(kBatch);
   for (std::uint64_t done = 0; done < samples; done += kBatch) {
@@ -23,7 +23,7 @@ void count_block(const Subject& subject, const Configuration& c, const ExactLaw&
       u[k] = {u1, random.single()};
     }
     subject.sample(c, {u.data(), size}, {wm.data(), size});
-    for (std::size_t k = 0; k < size; ++k) counts.add(law.uniforms(wm[k], random.full()));
+    for (std::size_t k = 0; k < size; ++k) counts.add(law.uniforms(wm[k], random.uniform()));
   }
 }
 
@@ -36,7 +36,7 @@ UniformCounts count(const Subject& subject, const Configuration& c, std::uint64_
   const std::uint64_t blocks = (options.samples + kBlock - 1) / kBlock;
   precompute::parallel_for(blocks, options.workers, [&](std::size_t block) {
     UniformCounts counts(bins);
-    count_block(subject, c, law, RandomBlock(options.seed, index, block),
+    count_block(subject, c, law, BlockRandom(options.seed, index, block),
                 std::min(kBlock, options.samples - block * kBlock), counts);
     const std::lock_guard lock(mutex);
     all.add(counts);

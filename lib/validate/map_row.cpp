@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "precompute/map_errors.h"
 #include "validate/density_distance.h"
 
 namespace vndf::validate {
 
-double u_error(const Probability<double>& cdf, double u) {
-  return u < 0.5 ? cdf.u - u : (1 - u) - cdf.complement;
-}
+using precompute::from_tail;
+using precompute::u_error;
 
 bool RoundedConditional::judged(const precompute::UnitSlopes& slopes, double x) {
   return ConditionalLaw::judged(slopes, x * (1 + kSlopeRounding));
@@ -35,7 +35,7 @@ double RoundedConditional::least(double y, F error_of) const {
 }
 
 double RoundedConditional::error(double y, double u) const {
-  return least(y, [u](const Probability<double>& cdf) { return u_error(cdf, u); });
+  return least(y, [u](const Probability<double>& cdf) { return u_error(cdf, from_tail(u)); });
 }
 
 double RoundedConditional::ratio_error(double y, double u, double mass) const {

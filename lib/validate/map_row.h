@@ -10,9 +10,6 @@
 
 namespace vndf::validate {
 
-/// P(X <= x) - u, without cancellation in either tail.
-double u_error(const Probability<double>& cdf, double u);
-
 /// The laws of slope y at a slope x, where both have been rounded: near the rim of a compact
 /// distribution they change within the rounding. What lies between is no error.
 class RoundedConditional {

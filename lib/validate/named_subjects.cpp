@@ -9,6 +9,7 @@
 #include "precompute/formula_distribution.h"
 #include "precompute/words.h"
 #include "validate/frozen_surface.h"
+#include "validate/widened_surface.h"
 #include "vndf/reference/beckmann_analytic.h"
 #include "vndf/reference/beckmann_exact.h"
 #include "vndf/reference/beckmann_ndf.h"
@@ -20,6 +21,7 @@
 #include "vndf/reference/ggx_hemisphere.h"
 #include "vndf/reference/ggx_ndf.h"
 #include "vndf/reference/v_cavity.h"
+#include "vndf/reference/walter_roughness.h"
 
 namespace vndf::validate {
 namespace {
@@ -58,6 +60,10 @@ using GgxCavity = VCavity<T, GgxNdf<T>>;
 template <class T>
 using BeckmannCavity = VCavity<T, BeckmannNdf<T>>;
 template <class T>
+using GgxWalter = WidenedSurface<T, WalterRoughness<T, GgxNdf<T>>>;
+template <class T>
+using BeckmannWalter = WidenedSurface<T, WalterRoughness<T, BeckmannNdf<T>>>;
+template <class T>
 using Gtr = GeneralisedTrowbridgeReitzNdf<T>;
 
 NamedSubject gtr_1_5() {
@@ -88,6 +94,8 @@ std::vector<NamedSubject> all_subjects() {
       reference<GgxCaps>("ggx-caps", "ggx", visible),
       reference<BeckmannNdf>("beckmann-ndf", "beckmann", all),
       reference<GgxNdf>("ggx-ndf", "ggx", all),
+      reference<BeckmannWalter>("beckmann-walter", "beckmann", all),
+      reference<GgxWalter>("ggx-walter", "ggx", all),
       // n + 2 = 2 / alpha^2
       frozen("blinn-phong-ndf", "blinn-phong:n=6", BlinnPhongNdf<float>{}, BlinnPhongNdf<double>{}),
       gtr_1_5(),

@@ -3,23 +3,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "precompute/map_errors.h"
 #include "validate/map_row.h"
 
 namespace vndf::validate {
 namespace {
+
+using precompute::from_tail;
+using precompute::golden;
+using precompute::u_error;
 
 constexpr const char* kStage = "map";
 constexpr int kTailPlaces = 60;        // per tail, logarithmic
 constexpr double kSmallestU = 1e-9;    // towards 0; towards 1 single precision ends at 2^-24
 constexpr double kTailMass = 0x1p-20;  // of the tails whose ratio is judged
 constexpr int kHalvings = 24;
-
-double golden(std::size_t k) {
-  const double x = static_cast<double>(k) * (std::numbers::phi - 1) + 0.5;
-  return x - std::floor(x);
-}
 
 /// Single-precision numbers in (0, 1), increasing.
 std::vector<double> places(std::size_t count) {
@@ -77,7 +76,7 @@ class Row {
     return place_of(map_.configuration(), u1, u2);
   }
   double marginal_error(const StretchedSlope& s, double u1) const {
-    return u_error(map_.marginal_cdf(s), u1);
+    return u_error(map_.marginal_cdf(s), from_tail(u1));
   }
 
   void judge_marginal(const std::vector<double>& list, double u2) {

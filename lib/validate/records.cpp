@@ -3,12 +3,11 @@
 
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <stdexcept>
 #include <string_view>
-#include <system_error>
 
 #include "precompute/csv_reader.h"
+#include "precompute/words.h"
 
 namespace vndf::validate {
 namespace {
@@ -36,8 +35,7 @@ Header read_header(CsvReader& csv) {
   for (const bool u : {true, false})
     for (const bool pdf : {false, true})
       if (csv.fields() == Header{u, pdf}.columns()) return {u, pdf};
-  csv.fail_in_line("the header '" + std::string(csv.line().substr(0, 60)) + "' is not known; " +
-                   accepted);
+  csv.fail_in_line("the header " + precompute::quoted(csv.line()) + " is not known; " + accepted);
 }
 
 /// A unit vector to kLengthSlack.
@@ -95,10 +93,7 @@ Records read_records(std::istream& stream, const std::string& name) {
 }
 
 Records read_records(const std::filesystem::path& path) {
-  std::error_code error;
-  std::ifstream stream(path, std::ios::binary);
-  if (!std::filesystem::is_regular_file(path, error) || !stream)
-    throw std::runtime_error(path.string() + ": there is no such file, or it cannot be read");
+  std::ifstream stream = precompute::open_csv(path);
   return read_records(stream, path.string());
 }
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "validate/random_block.h"
+#include "validate/block_random.h"
 #include "vndf/scatter.h"
 
 namespace vndf::validate {
@@ -23,12 +23,12 @@ double weight_of(const Subject& subject, const Configuration& c, const Vec3<doub
 /// A random point of each cell of row `j`: the last digits of the middles of cells are all alike,
 /// and some samplers take them for a third random number.
 std::vector<Pair> places_in_row(std::size_t j, std::size_t cells) {
-  RandomBlock random(kSeed, 0, j);
+  BlockRandom random(kSeed, 0, j);
   const double side = static_cast<double>(cells);
   std::vector<Pair> u(cells);
   for (std::size_t i = 0; i < cells; ++i) {
-    u[i].x = to_single((static_cast<double>(i) + random.full()) / side);
-    u[i].y = to_single((static_cast<double>(j) + random.full()) / side);
+    u[i].x = to_single((static_cast<double>(i) + random.uniform()) / side);
+    u[i].y = to_single((static_cast<double>(j) + random.uniform()) / side);
   }
   return u;
 }

@@ -9,8 +9,8 @@
 #include <mutex>
 #include <numbers>
 
+#include "validate/block_random.h"
 #include "validate/exact_law.h"
-#include "validate/random_block.h"
 
 namespace vndf::validate {
 namespace {
@@ -111,7 +111,7 @@ class Counts {
   std::vector<std::uint64_t> counts_;
 };
 
-void count_block(const Subject& subject, const Configuration& c, RandomBlock random,
+void count_block(const Subject& subject, const Configuration& c, BlockRandom random,
                  std::uint64_t samples, Counts& counts) {
   std::vector<Pair> u(samples);
   std::vector<Vec3<double>> wm(samples);
@@ -130,7 +130,7 @@ Counts count(const Subject& subject, const Configuration& c, double half_width,
   const std::uint64_t blocks = (options.samples + kBlock - 1) / kBlock;
   precompute::parallel_for(blocks, options.workers, [&](std::size_t block) {
     Counts counts(options.cells, half_width);
-    count_block(subject, c, RandomBlock(options.seed, options.stream, block),
+    count_block(subject, c, BlockRandom(options.seed, options.stream, block),
                 std::min(kBlock, options.samples - block * kBlock), counts);
     const std::lock_guard lock(mutex);
     all.add(counts);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "precompute/map_errors.h"
 #include "validate/map_row.h"
 
 namespace vndf::validate {
@@ -34,7 +35,9 @@ UErrorMap marginal_error_map(const Subject& subject, std::size_t rows, std::size
     const MapRow row(subject, c);
     for (std::size_t i = 0; i < columns; ++i) {
       const StretchedSlope s = row.slope(map.u[i], 0.5);
-      if (MapRow::carried(s)) map.error.at(i, j) = std::abs(u_error(row.marginal_cdf(s), map.u[i]));
+      if (MapRow::carried(s))
+        map.error.at(i, j) =
+            std::abs(precompute::u_error(row.marginal_cdf(s), precompute::from_tail(map.u[i])));
     }
   });
   return map;

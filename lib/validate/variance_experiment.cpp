@@ -2,7 +2,7 @@
 #include "validate/variance_experiment.h"
 
 #include <algorithm>
-#include <numbers>
+#include <cmath>
 #include <stdexcept>
 
 #include "precompute/parallel.h"
@@ -86,14 +86,7 @@ void Tally::merge(const Tally& other) {
   lost += other.lost;
 }
 
-BlockRandom::BlockRandom(std::uint64_t seed, std::uint64_t estimator, std::uint64_t block) {
-  const auto low = [](std::uint64_t x) { return static_cast<std::uint32_t>(x); };
-  std::seed_seq sequence{low(seed), low(seed >> 32), low(estimator), low(block), low(block >> 32)};
-  random_.seed(sequence);
-}
-
 Vec3<double> incident_direction(const VarianceOptions& options) {
-  constexpr double kDegree = std::numbers::pi / 180;
   const double theta = options.theta * kDegree, phi = options.azimuth * kDegree;
   // The sine of the elevation, so that 90 degrees is the horizon itself.
   return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),

@@ -5,14 +5,13 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <functional>
-#include <random>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "validate/block_random.h"
 #include "validate/environment.h"
 #include "validate/moments.h"
 #include "vndf/conductor_brdf.h"
@@ -80,18 +79,6 @@ struct Tally {
   /// One sample: its weight, and the direction from which light is asked.
   void add(double weight, const Vec3<double>& wo, const Environment& light);
   void merge(const Tally& other);
-};
-
-/// Random numbers of one block of one estimator.
-class BlockRandom {
- public:
-  BlockRandom(std::uint64_t seed, std::uint64_t estimator, std::uint64_t block);
-
-  /// A whole multiple of 2^-53 in [0, 1).
-  double uniform() { return std::ldexp(static_cast<double>(random_() >> 11), -53); }
-
- private:
-  std::mt19937_64 random_;
 };
 
 /// One way to estimate the pixel.

@@ -1,0 +1,17 @@
+// The golden sequence, x_k = frac(k (phi - 1) + shift): it fills [0, 1) evenly at every length, and
+// no grid has a common period with it, so that a table is judged between its nodes.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace vndf::precompute {
+
+/// Point `k`, in [0, 1), of the sequence that starts at `shift`.
+inline double golden(std::size_t k, double shift = 0.5) {
+  const double x = static_cast<double>(k) * (std::numbers::phi - 1) + shift;
+  return x - std::floor(x);
+}
+
+}  // namespace vndf::precompute
