@@ -16,14 +16,14 @@
 namespace vndf::precompute {
 namespace {
 
-constexpr std::size_t kSides[] = {12,  16,  20,  24,  28,  32,  40,  48,  56,
-                                  64,  72,  80,  96,  112, 128, 160, 192, 224,
-                                  256, 320, 384, 448, 512, 640, 768, 896, 1024};
+constexpr std::size_t kSides[] = {8,   12,  16,  20,  24,  28,  32,  40,  48,  56,
+                                  64,  72,  80,  96,  112, 128, 160, 192, 224, 256,
+                                  320, 384, 448, 512, 640, 768, 896, 1024};
 constexpr double kUnits[] = {1, 2, 4, 8, 16, 32};
 constexpr std::size_t kUnitSide = 64;  // of the tables by which a unit is chosen
 constexpr std::size_t kMapNodesPerColumn = 4;
 // Rows and columns of the shapes that are tried, in this order, as multiples of a side.
-constexpr std::size_t kAspects[][2] = {{1, 1}, {2, 1}, {1, 2}};
+constexpr std::size_t kAspects[][2] = {{1, 1}, {2, 1}, {1, 2}, {4, 1}, {8, 1}};
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// One table of the two, at some layout.
@@ -134,8 +134,9 @@ Maker conditional_maker(const UnitSlopes& slopes, const SlopeTables& frame,
     Candidate c{frame};
     set_conditional(c.tables, slopes, shape, unit, layout, workers);
     c.tables.marginal = nothing(Tangents::five_points);
-    const auto shared = share(c.tables);
-    c.error = measure_conditional(slopes, shared, workers).max_u_error;
+    const TableErrors errors = measure_conditional(slopes, share(c.tables), workers);
+    // One row costs next to nothing, so its tails are to be right too.
+    c.error = shape.factorises ? fault(errors) : errors.max_u_error;
     c.bytes = sampling_bytes(c.tables);
     return c;
   };

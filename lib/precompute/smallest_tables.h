@@ -9,7 +9,8 @@
 namespace vndf::precompute {
 
 struct SmallestOptions {
-  /// Largest u-error of either table. > 0.
+  /// Largest u-error of either table. > 0. A conditional of one row keeps its tails as well: a tail
+  /// mass at 1e-6 that is off by a factor counts as fault() of build_tables.h says.
   double tolerance = 1e-5;
   /// Most bytes that sampling in single precision may touch (sampling_bytes()): 64 KiB is what a
   /// first-level cache and its neighbours hold.
