@@ -128,6 +128,15 @@ TEST_CASE("rows that go on evenly have no slope at their first value") {
   }
 }
 
+TEST_CASE("a row that begins with a jump does not go on evenly") {
+  const std::vector<double> row{0, 0.5, 0.52, 0.56, 0.62, 0.7};
+  const auto even = nodes_of_row(row.data(), row.size(), Tangents::five_points_even);
+  const auto plain = nodes_of_row(row.data(), row.size(), Tangents::five_points);
+  for (std::size_t j = 0; j < row.size(); ++j) CHECK(even[j].tangent == plain[j].tangent);
+  // The quartic turns back after the jump; no tangent is 0 where values increase.
+  for (const auto& node : even) CHECK(node.tangent > 0);
+}
+
 TEST_CASE("a row of fewer than five values takes tangents by three points") {
   const std::vector<double> row{0, 0.1, 0.3, 0.6};
   const auto five = nodes_of_row(row.data(), row.size(), Tangents::five_points);

@@ -52,17 +52,23 @@ double steepest(const T* values, std::size_t count, std::size_t i) {
 template <class T>
 std::vector<TableNode<T>> nodes_of_row(const T* values, std::size_t count, Tangents rule) {
   const bool three = rule == Tangents::three_points || count < 5;
-  const bool even = !three && rule == Tangents::five_points_even;
+  // Values like t^2 begin with differences of 1 to 3. A larger first one is a jump, as of a ring,
+  // whose slopes y begin beyond its hole.
+  const bool even =
+      rule == Tangents::five_points_even && values[1] - values[0] <= values[2] - values[1];
   const auto tangent = [&](std::size_t i) {
-    if (three) return derivative(values, count, i, kThreePoints);
-    return even && i < 2 ? even_derivative(values, i) : derivative(values, count, i, kFivePoints);
+    const double most = steepest(values, count, i);
+    const auto allowed = [most](double t) { return t >= 0 && t <= most; };
+    if (!three) {
+      const double t =
+          even && i < 2 ? even_derivative(values, i) : derivative(values, count, i, kFivePoints);
+      if (allowed(t)) return t;  // a quartic across a jump turns back; the parabola does not
+    }
+    return std::max(0.0, std::min(derivative(values, count, i, kThreePoints), most));
   };
   std::vector<TableNode<T>> nodes;
   nodes.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const double held = std::max(0.0, std::min(tangent(i), steepest(values, count, i)));
-    nodes.push_back({values[i], static_cast<T>(held)});
-  }
+  for (std::size_t i = 0; i < count; ++i) nodes.push_back({values[i], static_cast<T>(tangent(i))});
   return nodes;
 }
 

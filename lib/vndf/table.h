@@ -107,7 +107,8 @@ enum class RowBlend {
 enum class Tangents {
   three_points,     ///< of the parabola through the three nearest values
   five_points,      ///< of the quartic through the five nearest; in rows of fewer by three
-  five_points_even  ///< the same in rows that are even in the column: w[-j] = w[j], as conditionals
+  five_points_even  ///< the same in rows that go on evenly before their first value, as
+                    ///< conditionals
 };
 
 /// The nodes of a row of `count` >= 3 values that increase. Tangents are at most three times the
