@@ -1,0 +1,164 @@
+// What a block of samples knows of its incident directions (vndf::Incident): step 1 of Algorithm 4,
+// the stretch, and the rows of the marginal table that follow from it.
+
+// Included once for each target: the guard turns over with every one.
+#if defined(VNDF_BATCH_INCIDENTS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef VNDF_BATCH_INCIDENTS_INL_H
+#undef VNDF_BATCH_INCIDENTS_INL_H
+#else
+#define VNDF_BATCH_INCIDENTS_INL_H
+#endif
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+#include <hwy/highway.h>
+
+#include "batch/batch_kernel.h"
+#include "batch/blocks.h"
+#include "batch/table_lookup-inl.h"
+#include "batch/vectors-inl.h"
+#include "vndf/incident_sampler.h"
+#include "vndf/tabulated_sampler.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace vndf::batch::HWY_NAMESPACE {
+namespace {
+
+/// A slope in the bounded form (BoundedSlope).
+struct BoundedVector {
+  V sigma, complement;
+};
+BoundedVector to_order(BoundedVector x, int order) {
+  for (int n = order; n > 1; n /= 2) {
+    const V a = hn::Sqrt(x.sigma), b = hn::Sqrt(x.complement);
+    const V scale = hn::Div(set(1.0f), hn::Add(a, b));
+    x = {hn::Mul(a, scale), hn::Mul(b, scale)};
+  }
+  return x;
+}
+
+/// What a block knows of its incident directions (vndf::Incident).
+struct Incidents {
+  Lanes<float> valid, alpha_x, alpha_y, cos, sin, edge_sigma, edge_complement, ordered_edge;
+  Rows rows;
+};
+
+/// vndf::valid.
+M valid(V x, V y, V z, V alpha_x, V alpha_y) {
+  const V zero = hn::Zero(d), largest = set(std::numeric_limits<float>::max());
+  const M direction =
+      hn::And(hn::Ge(z, zero), hn::And(hn::Le(hn::Abs(x), largest), hn::Le(hn::Abs(y), largest)));
+  const M along_x = hn::And(hn::Gt(alpha_x, zero), hn::Le(alpha_x, largest));
+  const M along_y = hn::And(hn::Gt(alpha_y, zero), hn::Le(alpha_y, largest));
+  return hn::And(direction, hn::And(along_x, along_y));
+}
+
+struct AzimuthVector {
+  V cos, sin, length;
+};
+
+/// vndf::azimuth. One power of two serves all vectors too short to square.
+AzimuthVector azimuth(V x, V y) {
+  constexpr float kTooShort = 0x1p-50f, kScale = 0x1p100f;
+  const V largest = hn::Max(hn::Abs(x), hn::Abs(y));
+  const M is_short = hn::Lt(largest, set(kTooShort));
+  const V scale = hn::IfThenElse(is_short, set(kScale), set(1.0f));
+  const V sx = hn::Mul(x, scale), sy = hn::Mul(y, scale);
+  const V length = hn::Sqrt(hn::MulAdd(sx, sx, hn::Mul(sy, sy)));
+  const M none = hn::Eq(largest, hn::Zero(d));
+  const V inverse = hn::Div(set(1.0f), length);
+  return {hn::IfThenElse(none, set(1.0f), hn::Mul(sx, inverse)),
+          hn::IfThenZeroElse(none, hn::Mul(sy, inverse)),
+          hn::Mul(length, hn::IfThenElse(is_short, set(1 / kScale), set(1.0f)))};
+}
+
+/// Samples of the block that begins at `begin` of `size`, in whole vectors.
+std::size_t block_size(std::size_t begin, std::size_t size) {
+  const std::size_t lanes = hn::Lanes(d);
+  return std::min(kBlock, (size - begin + lanes - 1) / lanes * lanes);
+}
+
+/// Step 1 and the row of the marginal table, as IncidentSampler's, for the block of directions
+/// that begins at `begin`.
+void stretch(const TabulatedSampler<float>& sampler, DirectionInputs& inputs, std::size_t begin,
+             Incidents& incidents) {
+  const SlopeTables& tables = sampler.tables();
+  const float *wi_x = inputs.x.block(begin), *wi_y = inputs.y.block(begin),
+              *wi_z = inputs.z.block(begin), *alpha_x = inputs.alpha_x.block(begin),
+              *alpha_y = inputs.alpha_y.block(begin);
+  const BoundedSlope<float> support = sampler.bounded_support();
+  const std::size_t n = block_size(begin, inputs.size);
+  for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
+    const V x = hn::LoadU(d, wi_x + i), y = hn::LoadU(d, wi_y + i), z = hn::LoadU(d, wi_z + i);
+    const V ax = hn::LoadU(d, alpha_x + i), ay = hn::LoadU(d, alpha_y + i);
+    store(hn::IfThenElseZero(valid(x, y, z, ax, ay), set(1.0f)), incidents.valid, i);
+    const V unit_x = hn::Mul(ax, set(sampler.mean_slope()));
+    const V unit_y = hn::Mul(ay, set(sampler.mean_slope()));
+    store(unit_x, incidents.alpha_x, i);
+    store(unit_y, incidents.alpha_y, i);
+    const AzimuthVector phi = azimuth(hn::Mul(unit_x, x), hn::Mul(unit_y, y));
+    store(phi.cos, incidents.cos, i);
+    store(phi.sin, incidents.sin, i);
+    // vndf::bounded_cotangent
+    const V upper = hn::Add(z, hn::Sqrt(hn::MulAdd(z, z, hn::Mul(phi.length, phi.length))));
+    const V scale = hn::Div(set(1.0f), hn::Add(upper, phi.length));
+    const V complement = hn::Mul(phi.length, scale);
+    const M in_reach = hn::Gt(complement, set(support.complement));
+    const BoundedVector edge = {hn::IfThenElse(in_reach, hn::Mul(upper, scale), set(support.sigma)),
+                                hn::IfThenElse(in_reach, complement, set(support.complement))};
+    store(edge.sigma, incidents.edge_sigma, i);
+    store(edge.complement, incidents.edge_complement, i);
+    store(to_order(edge, tables.tail_order).sigma, incidents.ordered_edge, i);
+    const V base = hn::Sqrt(hn::Add(complement, complement));
+    place_rows(tables.marginal, row_coordinate(sampler.marginal_rows(), base), incidents.rows, i);
+  }
+}
+
+/// Puts direction `from` of `one` at samples begin to end - 1 of `all`, whose samples from `end`
+/// on may be lost: the directions follow one another.
+void repeat(const Incidents& one, std::size_t from, Incidents& all, std::size_t begin,
+            std::size_t end) {
+  const auto copy = [=](const auto& source, auto& target) HWY_ATTR {
+    const hn::Rebind<std::decay_t<decltype(source.at[0])>, Floats> tag;
+    const auto value = hn::Set(tag, source.at[from]);
+    for (std::size_t i = begin; i < end; i += hn::Lanes(tag))
+      hn::StoreU(value, tag, target.data() + i);
+  };
+  copy(one.valid, all.valid);
+  copy(one.alpha_x, all.alpha_x);
+  copy(one.alpha_y, all.alpha_y);
+  copy(one.cos, all.cos);
+  copy(one.sin, all.sin);
+  copy(one.edge_sigma, all.edge_sigma);
+  copy(one.edge_complement, all.edge_complement);
+  copy(one.ordered_edge, all.ordered_edge);
+  copy(one.rows.begin, all.rows.begin);
+  for (std::size_t r = 0; r < 4; ++r) copy(one.rows.weights[r], all.rows.weights[r]);
+}
+
+/// A block whose samples have all the direction `one`; rows of the table are `stride` numbers
+/// apart.
+Incidents all_of(const Incident<float>& one, std::size_t stride) {
+  Incidents all;
+  all.valid.at.fill(one.valid ? 1.0f : 0.0f);
+  all.alpha_x.at.fill(one.alpha.x);
+  all.alpha_y.at.fill(one.alpha.y);
+  all.cos.at.fill(one.phi.cos);
+  all.sin.at.fill(one.phi.sin);
+  all.edge_sigma.at.fill(one.edge.sigma);
+  all.edge_complement.at.fill(one.edge.complement);
+  all.ordered_edge.at.fill(one.ordered_edge.sigma);
+  all.rows.begin.at.fill(static_cast<std::int32_t>(one.rows.first * stride));
+  for (std::size_t r = 0; r < 4; ++r) all.rows.weights[r].at.fill(one.rows.weights[r]);
+  return all;
+}
+
+}  // namespace
+}  // namespace vndf::batch::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // guard of the target
