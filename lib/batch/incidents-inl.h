@@ -32,7 +32,7 @@ namespace {
 struct BoundedVector {
   V sigma, complement;
 };
-BoundedVector to_order(BoundedVector x, int order) {
+HWY_INLINE BoundedVector to_order(BoundedVector x, int order) {
   for (int n = order; n > 1; n /= 2) {
     const V a = hn::Sqrt(x.sigma), b = hn::Sqrt(x.complement);
     const V scale = hn::Div(set(1.0f), hn::Add(a, b));
@@ -43,12 +43,17 @@ BoundedVector to_order(BoundedVector x, int order) {
 
 /// What a block knows of its incident directions (vndf::Incident).
 struct Incidents {
-  Lanes<float> valid, alpha_x, alpha_y, cos, sin, edge_sigma, edge_complement, ordered_edge;
+  /// Roughness in units in which the mean slope is 1; alpha_x is not a number where an input is
+  /// outside its range, which makes the length of the normal none either.
+  Lanes<float> alpha_x, alpha_y;
+  Lanes<float> cos, sin;
+  /// The farthest slope, and its sigma at the order of the table where that is above 1.
+  Lanes<float> edge_sigma, edge_complement, ordered_edge;
   Rows rows;
 };
 
 /// vndf::valid.
-M valid(V x, V y, V z, V alpha_x, V alpha_y) {
+HWY_INLINE M valid(V x, V y, V z, V alpha_x, V alpha_y) {
   const V zero = hn::Zero(d), largest = set(std::numeric_limits<float>::max());
   const M direction =
       hn::And(hn::Ge(z, zero), hn::And(hn::Le(hn::Abs(x), largest), hn::Le(hn::Abs(y), largest)));
@@ -62,18 +67,17 @@ struct AzimuthVector {
 };
 
 /// vndf::azimuth. One power of two serves all vectors too short to square.
-AzimuthVector azimuth(V x, V y) {
+HWY_INLINE AzimuthVector azimuth(V x, V y) {
   constexpr float kTooShort = 0x1p-50f, kScale = 0x1p100f;
   const V largest = hn::Max(hn::Abs(x), hn::Abs(y));
   const M is_short = hn::Lt(largest, set(kTooShort));
   const V scale = hn::IfThenElse(is_short, set(kScale), set(1.0f));
   const V sx = hn::Mul(x, scale), sy = hn::Mul(y, scale);
-  const V length = hn::Sqrt(hn::MulAdd(sx, sx, hn::Mul(sy, sy)));
+  const V square = hn::MulAdd(sx, sx, hn::Mul(sy, sy)), inverse = inverse_root(square);
   const M none = hn::Eq(largest, hn::Zero(d));
-  const V inverse = hn::Div(set(1.0f), length);
   return {hn::IfThenElse(none, set(1.0f), hn::Mul(sx, inverse)),
           hn::IfThenZeroElse(none, hn::Mul(sy, inverse)),
-          hn::Mul(length, hn::IfThenElse(is_short, set(1 / kScale), set(1.0f)))};
+          hn::Mul(hn::Mul(square, inverse), hn::IfThenElse(is_short, set(1 / kScale), set(1.0f)))};
 }
 
 /// Samples of the block that begins at `begin` of `size`, in whole vectors.
@@ -95,10 +99,10 @@ void stretch(const TabulatedSampler<float>& sampler, DirectionInputs& inputs, st
   for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
     const V x = hn::LoadU(d, wi_x + i), y = hn::LoadU(d, wi_y + i), z = hn::LoadU(d, wi_z + i);
     const V ax = hn::LoadU(d, alpha_x + i), ay = hn::LoadU(d, alpha_y + i);
-    store(hn::IfThenElseZero(valid(x, y, z, ax, ay), set(1.0f)), incidents.valid, i);
     const V unit_x = hn::Mul(ax, set(sampler.mean_slope()));
     const V unit_y = hn::Mul(ay, set(sampler.mean_slope()));
-    store(unit_x, incidents.alpha_x, i);
+    const M is_valid = valid(x, y, z, ax, ay);
+    store(hn::IfThenElse(is_valid, unit_x, hn::NaN(d)), incidents.alpha_x, i);
     store(unit_y, incidents.alpha_y, i);
     const AzimuthVector phi = azimuth(hn::Mul(unit_x, x), hn::Mul(unit_y, y));
     store(phi.cos, incidents.cos, i);
@@ -112,7 +116,12 @@ void stretch(const TabulatedSampler<float>& sampler, DirectionInputs& inputs, st
                                 hn::IfThenElse(in_reach, complement, set(support.complement))};
     store(edge.sigma, incidents.edge_sigma, i);
     store(edge.complement, incidents.edge_complement, i);
-    store(to_order(edge, tables.tail_order).sigma, incidents.ordered_edge, i);
+    if (tables.tail_order > 1)
+      store(to_order(edge, tables.tail_order).sigma, incidents.ordered_edge, i);
+    if (tables.marginal.rows() == 1) {
+      hn::Store(hn::Zero(di), di, incidents.rows.begin.data() + i);
+      continue;
+    }
     const V base = hn::Sqrt(hn::Add(complement, complement));
     place_rows(tables.marginal, row_coordinate(sampler.marginal_rows(), base), incidents.rows, i);
   }
@@ -121,31 +130,29 @@ void stretch(const TabulatedSampler<float>& sampler, DirectionInputs& inputs, st
 /// Puts direction `from` of `one` at samples begin to end - 1 of `all`, whose samples from `end`
 /// on may be lost: the directions follow one another.
 void repeat(const Incidents& one, std::size_t from, Incidents& all, std::size_t begin,
-            std::size_t end) {
+            std::size_t end, int order) {
   const auto copy = [=](const auto& source, auto& target) HWY_ATTR {
     const hn::Rebind<std::decay_t<decltype(source.at[0])>, Floats> tag;
     const auto value = hn::Set(tag, source.at[from]);
     for (std::size_t i = begin; i < end; i += hn::Lanes(tag))
       hn::StoreU(value, tag, target.data() + i);
   };
-  copy(one.valid, all.valid);
   copy(one.alpha_x, all.alpha_x);
   copy(one.alpha_y, all.alpha_y);
   copy(one.cos, all.cos);
   copy(one.sin, all.sin);
   copy(one.edge_sigma, all.edge_sigma);
   copy(one.edge_complement, all.edge_complement);
-  copy(one.ordered_edge, all.ordered_edge);
+  if (order > 1) copy(one.ordered_edge, all.ordered_edge);
   copy(one.rows.begin, all.rows.begin);
-  for (std::size_t r = 0; r < 4; ++r) copy(one.rows.weights[r], all.rows.weights[r]);
+  copy(one.rows.fraction, all.rows.fraction);
 }
 
 /// A block whose samples have all the direction `one`; rows of the table are `stride` numbers
 /// apart.
 Incidents all_of(const Incident<float>& one, std::size_t stride) {
   Incidents all;
-  all.valid.at.fill(one.valid ? 1.0f : 0.0f);
-  all.alpha_x.at.fill(one.alpha.x);
+  all.alpha_x.at.fill(one.valid ? one.alpha.x : std::numeric_limits<float>::quiet_NaN());
   all.alpha_y.at.fill(one.alpha.y);
   all.cos.at.fill(one.phi.cos);
   all.sin.at.fill(one.phi.sin);
@@ -153,7 +160,9 @@ Incidents all_of(const Incident<float>& one, std::size_t stride) {
   all.edge_complement.at.fill(one.edge.complement);
   all.ordered_edge.at.fill(one.ordered_edge.sigma);
   all.rows.begin.at.fill(static_cast<std::int32_t>(one.rows.first * stride));
-  for (std::size_t r = 0; r < 4; ++r) all.rows.weights[r].at.fill(one.rows.weights[r]);
+  // The weights of four rows give the coordinate itself, for a line is a cubic.
+  const auto& w = one.rows.weights;
+  all.rows.fraction.at.fill(one.rows.count == 4 ? w[2] - w[0] + 2 * w[3] : w[1]);
   return all;
 }
 

@@ -26,25 +26,22 @@ HWY_BEFORE_NAMESPACE();
 namespace vndf::batch::HWY_NAMESPACE {
 namespace {
 
-/// 1 / (1 + root of `ratio`): the column coordinates a / (a + b), with ratio = (b / a)^2.
-V column_of(V ratio) {
-  return hn::Div(set(1.0f), hn::Add(set(1.0f), hn::Sqrt(ratio)));
+/// vndf::marginal_column: t = 1 / (1 + b / a), (a / b)^2 = root of u / (1 - u).
+HWY_INLINE V marginal_column(V u) {
+  const V one = set(1.0f);
+  const V square = hn::Mul(u, inverse_root(hn::Mul(u, hn::Sub(one, u))));
+  return hn::Div(one, hn::Add(one, inverse_root(square)));
 }
 
-/// vndf::marginal_column.
-V marginal_column(V u) {
-  return column_of(hn::Sqrt(hn::Div(hn::Sub(set(1.0f), u), u)));
-}
-
-/// vndf::conditional_column of vndf::fold: a^2 = 1 - s = p / (1 + s), b^2 = s reversed.
-V conditional_column(V u) {
-  const V complement = hn::Sub(set(1.0f), u);
+/// vndf::conditional_column of vndf::fold: t = 1 / (1 + a / b), (a / b)^2 = (s + s^2) / p.
+HWY_INLINE V conditional_column(V u) {
+  const V one = set(1.0f), complement = hn::Sub(one, u);
   const V s = hn::Sqrt(hn::Mul(set(2.0f), hn::Min(u, complement)));
-  const V p = hn::Abs(hn::Sub(u, complement));
-  return column_of(hn::Div(hn::MulAdd(s, s, s), p));
+  const V p = hn::Abs(hn::Sub(u, complement)), square = hn::MulAdd(s, s, s);
+  return hn::Div(one, hn::MulAdd(square, inverse_root(hn::Mul(square, p)), one));
 }
 
-BoundedVector from_order(BoundedVector x, int order) {
+HWY_INLINE BoundedVector from_order(BoundedVector x, int order) {
   for (int n = order; n > 1; n /= 2) {
     const V a = hn::Mul(x.sigma, x.sigma), b = hn::Mul(x.complement, x.complement);
     const V scale = hn::Div(set(1.0f), hn::Add(a, b));
@@ -61,79 +58,90 @@ class Sampling {
 
   void block(std::size_t begin, const Incidents& incidents) {
     const std::size_t n = block_size(begin, samples_.size);
+    const float* u2 = samples_.u2.block(begin);
+    place_columns(incidents, samples_.u1.block(begin), u2, n);
     // 2.a marginal
-    place_marginal(incidents, samples_.u1.block(begin), n);
-    blend(tables_.marginal, incidents.rows, marginal_, n);
-    if (sampler_.marginal_map().identity())
-      unmapped_marginal(incidents, n);
-    else
-      mapped_marginal(n);
-    // 2.b conditional
-    place_conditional(incidents, samples_.u2.block(begin), n);
-    blend(tables_.conditional, conditional_rows_, conditional_, n);
+    if (sampler_.marginal_map().identity()) {
+      for (std::size_t i = 0; i < n; i += hn::Lanes(d))
+        place_across(marginal_slope(unmapped_sigma(incidents, i), incidents, i), u2, i);
+    } else {
+      place_pieces(incidents, n);
+      for (std::size_t i = 0; i < n; i += hn::Lanes(d))
+        place_across(marginal_slope(mapped_sigma(i), incidents, i), u2, i);
+    }
     // 3. rotate, 4. unstretch, 5. compute the normal
     write_normals(incidents, begin, n);
   }
 
  private:
-  void place_marginal(const Incidents& incidents, const float* u1, std::size_t n) {
-    for (std::size_t i = 0; i < n; i += hn::Lanes(d))
-      place_column(tables_.marginal, marginal_column(inside(hn::LoadU(d, u1 + i))), incidents.rows,
-                   marginal_, i);
-  }
-
-  void unmapped_marginal(const Incidents& incidents, std::size_t n) {
-    for (std::size_t i = 0; i < n; i += hn::Lanes(d))
-      store(hn::Mul(load(incidents.edge_sigma, i), value(tables_.marginal, marginal_, i)), sigma_,
-            i);
-  }
-
-  /// sigma_n by the map: its pieces are read as a table is, four coefficients at once.
-  void mapped_marginal(std::size_t n) {
-    const MonotoneMap<float>& map = sampler_.marginal_map();
+  /// Columns in both tables. That of the conditional is without the row, which is not known yet.
+  void place_columns(const Incidents& incidents, const float* u1, const float* u2, std::size_t n) {
     for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
-      const CellVector piece = cell_of(value(tables_.marginal, marginal_, i), map.pieces());
+      place_column(tables_.marginal, marginal_column(inside(hn::LoadU(d, u1 + i))),
+                   hn::Load(di, incidents.rows.begin.data() + i), marginal_, i);
+      place_column(tables_.conditional, conditional_column(inside(hn::LoadU(d, u2 + i))),
+                   hn::Zero(di), conditional_, i);
+    }
+  }
+
+  HWY_INLINE V marginal_value(const Incidents& incidents, std::size_t i) const {
+    return value(tables_.marginal, load(incidents.rows.fraction, i), marginal_, i);
+  }
+
+  /// sigma_n of the slope x.
+  HWY_INLINE V unmapped_sigma(const Incidents& incidents, std::size_t i) const {
+    return hn::Mul(load(incidents.edge_sigma, i), marginal_value(incidents, i));
+  }
+
+  /// The same by the map, whose pieces are read as a table is, four coefficients at once.
+  HWY_INLINE V mapped_sigma(std::size_t i) const {
+    const auto [c0, c1, c2, c3] = weighted_fours<1>(sampler_.marginal_map().coefficients(), 0,
+                                                    pieces_.begin.data() + i, nullptr);
+    const V f = load(pieces_.fraction, i);
+    return hn::MulAdd(f, hn::MulAdd(f, hn::MulAdd(f, c3, c2), c1), c0);
+  }
+
+  void place_pieces(const Incidents& incidents, std::size_t n) {
+    const std::size_t pieces = sampler_.marginal_map().pieces();
+    for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
+      const CellVector piece = cell_within(marginal_value(incidents, i), pieces);
       hn::Store(hn::ShiftLeft<2>(piece.index), di, pieces_.begin.data() + i);
       store(piece.fraction, pieces_.fraction, i);
     }
-    blend_rows<1>(map.coefficients(), 0, {}, pieces_, n);
-    for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
-      V c0, c1, c2, c3;
-      hn::LoadInterleaved4(d, &pieces_.four[4 * i], c0, c1, c2, c3);
-      const V f = load(pieces_.fraction, i);
-      store(hn::MulAdd(f, hn::MulAdd(f, hn::MulAdd(f, c3, c2), c1), c0), sigma_, i);
-    }
   }
 
-  /// The slope x, whose scale of y has the sign of y, and the place of |y| in its table.
-  void place_conditional(const Incidents& incidents, const float* u2, std::size_t n) {
-    for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
-      const BoundedVector x = marginal_slope(incidents, i);
-      const V numerator = hn::Sub(x.sigma, set(0.5f));
-      const V denominator = hn::Mul(x.sigma, x.complement);
-      store(numerator, numerator_, i);
-      store(denominator, denominator_, i);
-      const V u = inside(hn::LoadU(d, u2 + i));
-      const V scale = conditional_scale(numerator, denominator);
-      store(hn::IfThenElse(hn::Lt(u, set(0.5f)), hn::Neg(scale), scale), scale_, i);
-      const V row =
-          tables_.conditional.rows() > 1 ? conditional_row(numerator, denominator) : hn::Zero(d);
-      place_rows(tables_.conditional, row, conditional_rows_, i);
-      place_column(tables_.conditional, conditional_column(u), conditional_rows_, conditional_, i);
-    }
+  /// The slope x, whose scale of y has the sign of y, and the rows of the conditional table.
+  HWY_INLINE void place_across(const BoundedVector& x, const float* u2, std::size_t i) {
+    const V numerator = hn::Sub(x.sigma, set(0.5f));
+    const V denominator = hn::Mul(x.sigma, x.complement);
+    store(numerator, numerator_, i);
+    store(denominator, denominator_, i);
+    const V scale = conditional_scale(numerator, denominator);
+    const M is_positive = hn::Ge(hn::LoadU(d, u2 + i), set(0.5f));
+    store(hn::IfThenElse(is_positive, scale, hn::Neg(scale)), scale_, i);
+    if (tables_.conditional.rows() == 1) return;
+    place_rows(tables_.conditional, conditional_row(numerator, denominator), conditional_rows_, i);
+    hn::Store(hn::Add(hn::Load(di, conditional_.begin.data() + i),
+                      hn::Load(di, conditional_rows_.begin.data() + i)),
+              di, conditional_.begin.data() + i);
   }
 
   /// TabulatedSampler::sample_marginal, from the value at the order of the table.
-  BoundedVector marginal_slope(const Incidents& incidents, std::size_t i) const {
-    const V sigma = hn::Min(load(sigma_, i), load(incidents.ordered_edge, i));
-    const BoundedVector x = from_order({sigma, hn::Sub(set(1.0f), sigma)}, tables_.tail_order);
-    const BoundedVector edge{load(incidents.edge_sigma, i), load(incidents.edge_complement, i)};
+  HWY_INLINE BoundedVector marginal_slope(V sigma, const Incidents& incidents,
+                                          std::size_t i) const {
+    const V one = set(1.0f);
+    BoundedVector x{sigma, hn::Sub(one, sigma)};
+    if (tables_.tail_order > 1) {
+      const V held = hn::Min(sigma, load(incidents.ordered_edge, i));
+      x = from_order({held, hn::Sub(one, held)}, tables_.tail_order);
+    }
     // vndf::held_below
-    return {hn::Min(x.sigma, edge.sigma), hn::Max(x.complement, edge.complement)};
+    return {hn::Min(x.sigma, load(incidents.edge_sigma, i)),
+            hn::Max(x.complement, load(incidents.edge_complement, i))};
   }
 
   /// ConditionalScale::at.
-  V conditional_scale(V numerator, V denominator) const {
+  HWY_INLINE V conditional_scale(V numerator, V denominator) const {
     const ConditionalScale<float>& s = sampler_.conditional_scale();
     if (std::isinf(s.support)) {
       const V square = hn::Mul(set(s.constant), hn::Mul(denominator, denominator));
@@ -145,7 +153,7 @@ class Sampling {
   }
 
   /// The row coordinate of vndf::conditional_base.
-  V conditional_row(V numerator, V denominator) const {
+  HWY_INLINE V conditional_row(V numerator, V denominator) const {
     const V unit = hn::Mul(set(sampler_.conditional_unit()), denominator);
     const V hypotenuse = hn::Sqrt(hn::MulAdd(unit, unit, hn::Mul(numerator, numerator)));
     const V base = hn::Sqrt(hn::Div(hn::Abs(numerator), hn::Add(unit, hypotenuse)));
@@ -157,7 +165,8 @@ class Sampling {
           *out_z = samples_.z.block(begin);
     for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
       // vndf::conditional_value_inverse, over the common denominator of x and y
-      const V v = value(tables_.conditional, conditional_, i), one = set(1.0f);
+      const V v = value(tables_.conditional, load(conditional_rows_.fraction, i), conditional_, i);
+      const V one = set(1.0f);
       const V under = hn::Mul(hn::Sub(one, v), hn::Add(one, v));
       const V slope_x = hn::Mul(load(numerator_, i), under);
       const V slope_y = hn::Mul(load(scale_, i), hn::Add(v, v));
@@ -171,10 +180,9 @@ class Sampling {
       const V m_z = hn::Mul(load(denominator_, i), under);
       // vndf::normalize_or_up
       const V square = hn::MulAdd(m_x, m_x, hn::MulAdd(m_y, m_y, hn::Mul(m_z, m_z)));
-      const M has_length = hn::And(hn::Gt(square, hn::Zero(d)),
-                                   hn::Le(square, set(std::numeric_limits<float>::max())));
-      const M is_normal = hn::And(has_length, hn::Eq(load(incidents.valid, i), one));
-      const V inverse = hn::Div(one, hn::Sqrt(square));
+      const M is_normal = hn::And(hn::Gt(square, hn::Zero(d)),
+                                  hn::Le(square, set(std::numeric_limits<float>::max())));
+      const V inverse = inverse_root(square);
       hn::StoreU(hn::IfThenElseZero(is_normal, hn::Mul(m_x, inverse)), d, out_x + i);
       hn::StoreU(hn::IfThenElseZero(is_normal, hn::Mul(m_y, inverse)), d, out_y + i);
       hn::StoreU(hn::IfThenElse(is_normal, hn::Mul(m_z, inverse), one), d, out_z + i);
@@ -189,7 +197,7 @@ class Sampling {
   Samples& samples_;
   Places marginal_, pieces_, conditional_;
   Rows conditional_rows_;
-  Lanes<float> sigma_, numerator_, denominator_, scale_;
+  Lanes<float> numerator_, denominator_, scale_;
 };
 
 }  // namespace

@@ -46,7 +46,8 @@ void sample_repeated_directions(const TabulatedSampler<float>& sampler, Directio
         stretch(sampler, inputs, direction, directions);
         stretched += kBlock;
       }
-      repeat(directions, direction % kBlock, repeated, i - begin, next - begin);
+      repeat(directions, direction % kBlock, repeated, i - begin, next - begin,
+             sampler.tables().tail_order);
       i = next;
     }
     sampling.block(begin, repeated);

@@ -2,9 +2,9 @@
 // blend of the rows, and the cubic along the blend.
 //
 // A table is not gathered lane by lane: of each sample one short vector, the two neighbouring nodes
-// of a row, is loaded from each of the rows around and blended there, and a step of its own turns
-// the blends of all samples into four vectors. That takes 4 loads a sample where gathers take 16,
-// and is the same on every target.
+// of a row, is loaded from each of the rows around. Four lanes of a vector hold one sample then,
+// the rows are blended so, and a transposition puts the samples side by side. That takes 4 loads a
+// sample where gathers take 16.
 
 // Included once for each target: the guard turns over with every one.
 #if defined(VNDF_BATCH_TABLE_LOOKUP_INL_H) == defined(HWY_TARGET_TOGGLE)
@@ -14,7 +14,6 @@
 #define VNDF_BATCH_TABLE_LOOKUP_INL_H
 #endif
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -29,21 +28,29 @@ HWY_BEFORE_NAMESPACE();
 namespace vndf::batch::HWY_NAMESPACE {
 namespace {
 
-/// The cell of a coordinate among equidistant nodes (vndf::cell_of): not a number goes to 0.
+/// The cell of a coordinate in [0, 1] among equidistant nodes (vndf::cell_of), but that a
+/// coordinate within a rounding of a node may go to either side of it.
 struct CellVector {
   hn::Vec<Ints> index;
   V fraction;
 };
-CellVector cell_of(V coordinate, std::size_t cells) {
-  const V scaled = hn::IfThenElseZero(hn::Gt(coordinate, hn::Zero(d)),
-                                      hn::Min(hn::Mul(coordinate, set(cells)), set(cells)));
-  const auto index =
-      hn::Min(hn::ConvertTo(di, scaled), hn::Set(di, static_cast<std::int32_t>(cells - 1)));
-  return {index, hn::Sub(scaled, hn::ConvertTo(d, index))};
+HWY_INLINE CellVector cell_within(V coordinate, std::size_t cells) {
+  // Numbers from 2^23 to 2^24 are whole and end with their own bits: adding 3 2^22 rounds.
+  constexpr float kWhole = 0x1.8p23f;
+  const V nearest = hn::Add(hn::MulSub(coordinate, set(cells), set(0.5f)), set(kWhole));
+  const V whole = hn::Min(nearest, hn::Add(set(cells), set(kWhole - 1)));
+  return {hn::Sub(hn::BitCast(di, whole), hn::BitCast(di, set(kWhole))),
+          hn::MulSub(coordinate, set(cells), hn::Sub(whole, set(kWhole)))};
+}
+
+/// The same for any coordinate: one outside goes to the nearer end, not a number to 0.
+HWY_INLINE CellVector cell_of(V coordinate, std::size_t cells) {
+  return cell_within(
+      hn::IfThenElseZero(hn::Gt(coordinate, hn::Zero(d)), hn::Min(coordinate, set(1.0f))), cells);
 }
 
 /// vndf::hermite_piece, at a fraction of the piece.
-V hermite(V v0, V t0, V v1, V t1, V fraction) {
+HWY_INLINE V hermite(V v0, V t0, V v1, V t1, V fraction) {
   const V secant = hn::Sub(v1, v0);
   const V c3 = hn::NegMulAdd(set(2.0f), secant, hn::Add(t0, t1));
   const V c2 = hn::Sub(hn::Sub(secant, t0), c3);
@@ -51,7 +58,7 @@ V hermite(V v0, V t0, V v1, V t1, V fraction) {
 }
 
 /// The row coordinate of a base coordinate (RowAxis::row).
-V row_coordinate(const RowAxis<float>& axis, V base) {
+HWY_INLINE V row_coordinate(const RowAxis<float>& axis, V base) {
   const auto& knots = axis.bases();
   if (knots.empty()) return base;
   auto segment = hn::Zero(di);
@@ -65,29 +72,27 @@ V row_coordinate(const RowAxis<float>& axis, V base) {
   return hn::Min(hn::Max(hn::Add(below, rise), below), above);
 }
 
-/// Where the first row around each sample begins in a table, and the weights of the rows.
+/// Where the first row around each sample begins in a table, and the place between the rows: from
+/// the first of two towards the second, or from the second of four towards the third.
 struct Rows {
   Lanes<std::int32_t> begin;
-  std::array<Lanes<float>, 4> weights;
+  Lanes<float> fraction;
 };
 
-/// The place of each sample in its rows: where its four values begin in the first, and the fraction
-/// of its cell. After blend(), the four values, blended.
+/// Where the four values of each sample begin in the first of its rows, and the fraction of its
+/// cell.
 struct Places {
   Lanes<std::int32_t> begin;
   Lanes<float> fraction;
-  alignas(64) std::array<float, 4 * kBlock> four;
 };
 
-/// vndf::weighted_rows.
-void place_rows(const QuantileTable& table, V coordinate, Rows& rows, std::size_t i) {
-  if (table.rows() == 1) return hn::Store(hn::Zero(di), di, rows.begin.data() + i);
+/// vndf::weighted_rows, without the weights.
+HWY_INLINE void place_rows(const QuantileTable& table, V coordinate, Rows& rows, std::size_t i) {
   const auto stride = hn::Set(di, static_cast<std::int32_t>(2 * table.columns()));
   if (table.blend() == RowBlend::linear) {
     const CellVector r = cell_of(coordinate, table.rows() - 1);
     hn::Store(hn::Mul(r.index, stride), di, rows.begin.data() + i);
-    store(r.fraction, rows.weights[1], i);
-    return store(hn::Sub(set(1.0f), r.fraction), rows.weights[0], i);
+    return store(r.fraction, rows.fraction, i);
   }
   // vndf::lagrange_rows
   const V last = set(table.rows() - 1);
@@ -96,59 +101,115 @@ void place_rows(const QuantileTable& table, V coordinate, Rows& rows, std::size_
   const auto second =
       hn::ConvertTo(di, hn::Max(hn::Min(scaled, hn::Sub(last, set(2.0f))), set(1.0f)));
   hn::Store(hn::Mul(hn::Sub(second, hn::Set(di, 1)), stride), di, rows.begin.data() + i);
-  const V x1 = hn::Sub(scaled, hn::ConvertTo(d, second));
-  const V x = hn::Add(x1, set(1.0f)), x2 = hn::Sub(x1, set(1.0f)), x3 = hn::Sub(x1, set(2.0f));
-  const V low = hn::Mul(x, x1), high = hn::Mul(x2, x3);
-  store(hn::Mul(hn::Mul(x1, high), set(-1.0f / 6)), rows.weights[0], i);
-  store(hn::Mul(hn::Mul(x, high), set(0.5f)), rows.weights[1], i);
-  store(hn::Mul(hn::Mul(low, x3), set(-0.5f)), rows.weights[2], i);
-  store(hn::Mul(hn::Mul(low, x2), set(1.0f / 6)), rows.weights[3], i);
+  store(hn::Sub(scaled, hn::ConvertTo(d, second)), rows.fraction, i);
 }
 
-/// The column of each sample in the rows that place_rows() chose.
-void place_column(const QuantileTable& table, V coordinate, const Rows& rows, Places& places,
-                  std::size_t i) {
-  const CellVector c = cell_of(coordinate, table.columns() - 1);
+/// The column of each sample in rows that begin at `begin`.
+HWY_INLINE void place_column(const QuantileTable& table, V coordinate, hn::Vec<Ints> begin,
+                             Places& places, std::size_t i) {
+  const CellVector c = cell_within(coordinate, table.columns() - 1);
   const auto in_row = hn::ShiftLeft<1>(c.index);  // a node is two numbers
-  hn::Store(hn::Add(in_row, hn::Load(di, rows.begin.data() + i)), di, places.begin.data() + i);
+  hn::Store(hn::Add(in_row, begin), di, places.begin.data() + i);
   store(c.fraction, places.fraction, i);
 }
 
-/// The four values of samples 0 to n - 1, blended over kRows rows that lie `stride` apart.
+/// Four numbers of each sample.
+struct FourVectors {
+  V v0, v1, v2, v3;
+};
+
+#if HWY_TARGET == HWY_SCALAR
+
+/// The numbers at p[begin] to p[begin + 3], `p` in turn the first of each row, weighted.
 template <std::size_t kRows>
-void blend_rows(const float* values, std::size_t stride, const Rows& rows, Places& places,
-                std::size_t n) {
-  const hn::CappedTag<float, 4> d4;
-  for (std::size_t i = 0; i < n; ++i) {
-    const float* p = values + places.begin.at[i];
-    for (std::size_t k = 0; k < 4; k += hn::Lanes(d4)) {
-      auto w = hn::LoadU(d4, p + k);
-      if constexpr (kRows > 1) w = hn::Mul(w, hn::Set(d4, rows.weights[0].at[i]));
-      for (std::size_t r = 1; r < kRows; ++r)
-        w = hn::MulAdd(hn::Set(d4, rows.weights[r].at[i]), hn::LoadU(d4, p + r * stride + k), w);
-      hn::Store(w, d4, &places.four[4 * i + k]);
-    }
+FourVectors weighted_fours(const float* p, std::size_t stride, const std::int32_t* begin,
+                           const V* weights) {
+  FourVectors sum{hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+  for (std::size_t r = 0; r < kRows; ++r) {
+    const float* four = p + *begin + r * stride;
+    const V w = kRows > 1 ? weights[r] : set(1.0f);
+    sum = {hn::MulAdd(w, set(four[0]), sum.v0), hn::MulAdd(w, set(four[1]), sum.v1),
+           hn::MulAdd(w, set(four[2]), sum.v2), hn::MulAdd(w, set(four[3]), sum.v3)};
+  }
+  return sum;
+}
+
+#else
+
+/// Four numbers from each of p + begin[0], p + begin[4], ...: one for each block of four lanes.
+template <class D>
+HWY_INLINE hn::Vec<D> load_fours(D tag, const float* p, const std::int32_t* begin) {
+  if constexpr (hn::MaxLanes(D()) == 4) {
+    return hn::LoadU(tag, p + *begin);
+  } else {
+    const hn::Half<D> half;
+    return hn::Combine(tag, load_fours(half, p, begin + hn::MaxLanes(D()) / 2),
+                       load_fours(half, p, begin));
   }
 }
 
-void blend(const QuantileTable& table, const Rows& rows, Places& places, std::size_t n) {
+/// load_fours() of samples k, k + 4, ..., blended over rows that lie `stride` apart.
+template <std::size_t kRows, int k>
+HWY_INLINE V blended_fours(const float* p, std::size_t stride, const std::int32_t* begin,
+                           const V* weights) {
+  V sum = load_fours(d, p, begin + k);
+  if constexpr (kRows > 1) sum = hn::Mul(sum, hn::Broadcast<k>(weights[0]));
+  for (std::size_t r = 1; r < kRows; ++r)
+    sum = hn::MulAdd(hn::Broadcast<k>(weights[r]), load_fours(d, p + r * stride, begin + k), sum);
+  return sum;
+}
+
+/// Of each sample the four numbers from p + begin on, blended over rows that lie `stride` apart.
+template <std::size_t kRows>
+HWY_INLINE FourVectors weighted_fours(const float* p, std::size_t stride, const std::int32_t* begin,
+                                      const V* weights) {
+  const V a = blended_fours<kRows, 0>(p, stride, begin, weights);
+  const V b = blended_fours<kRows, 1>(p, stride, begin, weights);
+  const V c = blended_fours<kRows, 2>(p, stride, begin, weights);
+  const V e = blended_fours<kRows, 3>(p, stride, begin, weights);
+  // The transposition of every block of four lanes.
+  const hn::Repartition<std::uint64_t, Floats> pairs;
+  const auto ab_low = hn::BitCast(pairs, hn::InterleaveLower(d, a, b));
+  const auto ab_high = hn::BitCast(pairs, hn::InterleaveUpper(d, a, b));
+  const auto ce_low = hn::BitCast(pairs, hn::InterleaveLower(d, c, e));
+  const auto ce_high = hn::BitCast(pairs, hn::InterleaveUpper(d, c, e));
+  return {hn::BitCast(d, hn::InterleaveLower(pairs, ab_low, ce_low)),
+          hn::BitCast(d, hn::InterleaveUpper(pairs, ab_low, ce_low)),
+          hn::BitCast(d, hn::InterleaveLower(pairs, ab_high, ce_high)),
+          hn::BitCast(d, hn::InterleaveUpper(pairs, ab_high, ce_high))};
+}
+
+#endif
+
+/// The values of the table, in [0, 1]; `row_fraction` as in Rows.
+HWY_INLINE V value(const QuantileTable& table, V row_fraction, const Places& places,
+                   std::size_t i) {
   const float* values = &table.row(0)->value;
   const std::size_t stride = 2 * table.columns();
-  if (table.rows() == 1) return blend_rows<1>(values, stride, rows, places, n);
-  if (table.blend() == RowBlend::linear) return blend_rows<2>(values, stride, rows, places, n);
-  blend_rows<4>(values, stride, rows, places, n);
-}
-
-/// The values of the table, in [0, 1].
-V value(const QuantileTable& table, const Places& places, std::size_t i) {
-  V v0, t0, v1, t1;
-  hn::LoadInterleaved4(d, &places.four[4 * i], v0, t0, v1, t1);
-  if (table.rows() > 1 && table.blend() == RowBlend::cubic) {  // vndf::with_limited_tangents
-    const V most = hn::Mul(set(3.0f), hn::Sub(v1, v0));
-    t0 = hn::Max(hn::Min(t0, most), hn::Zero(d));
-    t1 = hn::Max(hn::Min(t1, most), hn::Zero(d));
+  const std::int32_t* begin = places.begin.data() + i;
+  const V fraction = load(places.fraction, i), one = set(1.0f);
+  if (table.rows() == 1) {
+    const auto [v0, t0, v1, t1] = weighted_fours<1>(values, 0, begin, nullptr);
+    return clamped(hermite(v0, t0, v1, t1, fraction));
   }
-  return clamped(hermite(v0, t0, v1, t1, load(places.fraction, i)));
+  if (table.blend() == RowBlend::linear) {
+    const V weights[]{hn::Sub(one, row_fraction), row_fraction};
+    const auto [v0, t0, v1, t1] = weighted_fours<2>(values, stride, begin, weights);
+    return clamped(hermite(v0, t0, v1, t1, fraction));
+  }
+  // vndf::lagrange_weights
+  const V x1 = row_fraction, x = hn::Add(x1, one), x2 = hn::Sub(x1, one),
+          x3 = hn::Sub(x1, set(2.0f));
+  const V low = hn::Mul(x, x1), high = hn::Mul(x2, x3);
+  const V weights[]{hn::Mul(hn::Mul(x1, high), set(-1.0f / 6)),
+                    hn::Mul(hn::Mul(x, high), set(0.5f)), hn::Mul(hn::Mul(low, x3), set(-0.5f)),
+                    hn::Mul(hn::Mul(low, x2), set(1.0f / 6))};
+  auto [v0, t0, v1, t1] = weighted_fours<4>(values, stride, begin, weights);
+  // vndf::with_limited_tangents
+  const V most = hn::Mul(set(3.0f), hn::Sub(v1, v0));
+  t0 = hn::Max(hn::Min(t0, most), hn::Zero(d));
+  t1 = hn::Max(hn::Min(t1, most), hn::Zero(d));
+  return clamped(hermite(v0, t0, v1, t1, fraction));
 }
 
 }  // namespace

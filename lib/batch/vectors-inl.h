@@ -10,6 +10,7 @@
 #endif
 
 #include <cstddef>
+#include <limits>
 
 #include <hwy/highway.h>
 
@@ -28,25 +29,39 @@ using M = hn::Mask<Floats>;
 constexpr Floats d;
 constexpr Ints di;
 
-V set(float x) {
+HWY_INLINE V set(float x) {
   return hn::Set(d, x);
 }
-V set(std::size_t n) {
+HWY_INLINE V set(std::size_t n) {
   return hn::Set(d, static_cast<float>(n));
 }
-V load(const Lanes<float>& from, std::size_t i) {
+HWY_INLINE V load(const Lanes<float>& from, std::size_t i) {
   return hn::Load(d, from.data() + i);
 }
-void store(V v, Lanes<float>& to, std::size_t i) {
+HWY_INLINE void store(V v, Lanes<float>& to, std::size_t i) {
   hn::Store(v, d, to.data() + i);
 }
-V clamped(V x) {
+HWY_INLINE V clamped(V x) {
   return hn::Min(hn::Max(x, hn::Zero(d)), set(1.0f));
 }
 
 /// u in [0, 1]; not a number becomes 0.
-V inside(V u) {
+HWY_INLINE V inside(V u) {
   return hn::IfThenElseZero(hn::Gt(u, hn::Zero(d)), hn::Min(u, set(1.0f)));
+}
+
+/// 1 / root of x >= 0, finite, to 2 roundings; an x below the smallest normal number counts as
+/// that. Only the processors of x86 begin with the 11 bits that one step of Halley's makes full.
+HWY_INLINE V inverse_root(V x) {
+  x = hn::Max(x, set(std::numeric_limits<float>::min()));
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+  // With y = (1 - h)^(1/2) / root(x): 1 / root(x) = y (1 + h / 2 + 3 h^2 / 8 + ...).
+  const V y = hn::ApproximateReciprocalSqrt(x);
+  const V h = hn::NegMulAdd(hn::Mul(x, y), y, set(1.0f));
+  return hn::MulAdd(hn::Mul(y, h), hn::MulAdd(h, set(0.375f), set(0.5f)), y);
+#else
+  return hn::Div(set(1.0f), hn::Sqrt(x));
+#endif
 }
 
 }  // namespace
