@@ -54,30 +54,37 @@ struct Incidents {
 
 /// vndf::valid.
 HWY_INLINE M valid(V x, V y, V z, V alpha_x, V alpha_y) {
-  const V zero = hn::Zero(d), largest = set(std::numeric_limits<float>::max());
-  const M direction =
-      hn::And(hn::Ge(z, zero), hn::And(hn::Le(hn::Abs(x), largest), hn::Le(hn::Abs(y), largest)));
-  const M along_x = hn::And(hn::Gt(alpha_x, zero), hn::Le(alpha_x, largest));
-  const M along_y = hn::And(hn::Gt(alpha_y, zero), hn::Le(alpha_y, largest));
-  return hn::And(direction, hn::And(along_x, along_y));
+  const V zero = hn::Zero(d);
+  const V sum = hn::Add(hn::Add(hn::Abs(x), hn::Abs(y)), hn::Add(alpha_x, alpha_y));
+  const M is_roughness = hn::And(hn::Gt(alpha_x, zero), hn::Gt(alpha_y, zero));
+  return hn::And(hn::And(hn::Ge(z, zero), is_roughness),
+                 hn::Le(sum, set(std::numeric_limits<float>::max())));
 }
 
 struct AzimuthVector {
   V cos, sin, length;
 };
 
-/// vndf::azimuth. One power of two serves all vectors too short to square.
-HWY_INLINE AzimuthVector azimuth(V x, V y) {
+/// vndf::azimuth_near_pole. One power of two serves all vectors too short to square.
+AzimuthVector azimuth_near_pole(V x, V y) {
   constexpr float kTooShort = 0x1p-50f, kScale = 0x1p100f;
   const V largest = hn::Max(hn::Abs(x), hn::Abs(y));
-  const M is_short = hn::Lt(largest, set(kTooShort));
+  const M is_short = hn::Lt(largest, set(kTooShort)), none = hn::Eq(largest, hn::Zero(d));
   const V scale = hn::IfThenElse(is_short, set(kScale), set(1.0f));
   const V sx = hn::Mul(x, scale), sy = hn::Mul(y, scale);
   const V square = hn::MulAdd(sx, sx, hn::Mul(sy, sy)), inverse = inverse_root(square);
-  const M none = hn::Eq(largest, hn::Zero(d));
   return {hn::IfThenElse(none, set(1.0f), hn::Mul(sx, inverse)),
           hn::IfThenZeroElse(none, hn::Mul(sy, inverse)),
           hn::Mul(hn::Mul(square, inverse), hn::IfThenElse(is_short, set(1 / kScale), set(1.0f)))};
+}
+
+/// vndf::azimuth.
+HWY_INLINE AzimuthVector azimuth(V x, V y) {
+  constexpr float kTooShort = 1e-30f;
+  const V square = hn::MulAdd(x, x, hn::Mul(y, y));
+  if (!hn::AllFalse(d, hn::Lt(square, set(kTooShort)))) return azimuth_near_pole(x, y);
+  const V inverse = inverse_root(square);
+  return {hn::Mul(x, inverse), hn::Mul(y, inverse), hn::Mul(square, inverse)};
 }
 
 /// Samples of the block that begins at `begin` of `size`, in whole vectors.

@@ -170,13 +170,12 @@ class Sampling {
       const V under = hn::Mul(hn::Sub(one, v), hn::Add(one, v));
       const V slope_x = hn::Mul(load(numerator_, i), under);
       const V slope_y = hn::Mul(load(scale_, i), hn::Add(v, v));
-      // 3. rotate
+      // 3. rotate, 4. unstretch, 5. compute the normal
       const V cos = load(incidents.cos, i), sin = load(incidents.sin, i);
-      const V x = hn::MulSub(cos, slope_x, hn::Mul(sin, slope_y));
-      const V y = hn::MulAdd(sin, slope_x, hn::Mul(cos, slope_y));
-      // 4. unstretch, 5. compute the normal
-      const V m_x = hn::Neg(hn::Mul(load(incidents.alpha_x, i), x));
-      const V m_y = hn::Neg(hn::Mul(load(incidents.alpha_y, i), y));
+      const V minus_x = hn::MulSub(sin, slope_y, hn::Mul(cos, slope_x));
+      const V minus_y = hn::NegMulSub(sin, slope_x, hn::Mul(cos, slope_y));
+      const V m_x = hn::Mul(load(incidents.alpha_x, i), minus_x);
+      const V m_y = hn::Mul(load(incidents.alpha_y, i), minus_y);
       const V m_z = hn::Mul(load(denominator_, i), under);
       // vndf::normalize_or_up
       const V square = hn::MulAdd(m_x, m_x, hn::MulAdd(m_y, m_y, hn::Mul(m_z, m_z)));

@@ -28,25 +28,24 @@ HWY_BEFORE_NAMESPACE();
 namespace vndf::batch::HWY_NAMESPACE {
 namespace {
 
-/// The cell of a coordinate in [0, 1] among equidistant nodes (vndf::cell_of), but that a
-/// coordinate within a rounding of a node may go to either side of it.
+/// The cell, from `first` to `last`, of a coordinate in [0, 1] among equidistant nodes
+/// (vndf::cell_of), but that a coordinate within a rounding of a node may go to either side of it.
 struct CellVector {
   hn::Vec<Ints> index;
   V fraction;
 };
-HWY_INLINE CellVector cell_within(V coordinate, std::size_t cells) {
+HWY_INLINE CellVector cell_within(V coordinate, std::size_t cells, std::size_t first,
+                                  std::size_t last) {
   // Numbers from 2^23 to 2^24 are whole and end with their own bits: adding 3 2^22 rounds.
   constexpr float kWhole = 0x1.8p23f;
   const V nearest = hn::Add(hn::MulSub(coordinate, set(cells), set(0.5f)), set(kWhole));
-  const V whole = hn::Min(nearest, hn::Add(set(cells), set(kWhole - 1)));
+  V whole = hn::Min(nearest, hn::Add(set(last), set(kWhole)));
+  if (first > 0) whole = hn::Max(whole, hn::Add(set(first), set(kWhole)));
   return {hn::Sub(hn::BitCast(di, whole), hn::BitCast(di, set(kWhole))),
           hn::MulSub(coordinate, set(cells), hn::Sub(whole, set(kWhole)))};
 }
-
-/// The same for any coordinate: one outside goes to the nearer end, not a number to 0.
-HWY_INLINE CellVector cell_of(V coordinate, std::size_t cells) {
-  return cell_within(
-      hn::IfThenElseZero(hn::Gt(coordinate, hn::Zero(d)), hn::Min(coordinate, set(1.0f))), cells);
+HWY_INLINE CellVector cell_within(V coordinate, std::size_t cells) {
+  return cell_within(coordinate, cells, 0, cells - 1);
 }
 
 /// vndf::hermite_piece, at a fraction of the piece.
@@ -88,20 +87,14 @@ struct Places {
 
 /// vndf::weighted_rows, without the weights.
 HWY_INLINE void place_rows(const QuantileTable& table, V coordinate, Rows& rows, std::size_t i) {
+  const std::size_t cells = table.rows() - 1;
+  const bool is_linear = table.blend() == RowBlend::linear;
+  const CellVector r =
+      cell_within(inside(coordinate), cells, is_linear ? 0 : 1, is_linear ? cells - 1 : cells - 2);
+  const auto first = is_linear ? r.index : hn::Sub(r.index, hn::Set(di, 1));
   const auto stride = hn::Set(di, static_cast<std::int32_t>(2 * table.columns()));
-  if (table.blend() == RowBlend::linear) {
-    const CellVector r = cell_of(coordinate, table.rows() - 1);
-    hn::Store(hn::Mul(r.index, stride), di, rows.begin.data() + i);
-    return store(r.fraction, rows.fraction, i);
-  }
-  // vndf::lagrange_rows
-  const V last = set(table.rows() - 1);
-  const V scaled =
-      hn::IfThenElseZero(hn::Gt(coordinate, hn::Zero(d)), hn::Min(hn::Mul(coordinate, last), last));
-  const auto second =
-      hn::ConvertTo(di, hn::Max(hn::Min(scaled, hn::Sub(last, set(2.0f))), set(1.0f)));
-  hn::Store(hn::Mul(hn::Sub(second, hn::Set(di, 1)), stride), di, rows.begin.data() + i);
-  store(hn::Sub(scaled, hn::ConvertTo(d, second)), rows.fraction, i);
+  hn::Store(hn::Mul(first, stride), di, rows.begin.data() + i);
+  store(r.fraction, rows.fraction, i);
 }
 
 /// The column of each sample in rows that begin at `begin`.

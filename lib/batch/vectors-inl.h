@@ -45,20 +45,22 @@ HWY_INLINE V clamped(V x) {
   return hn::Min(hn::Max(x, hn::Zero(d)), set(1.0f));
 }
 
-/// u in [0, 1]; not a number becomes 0.
-HWY_INLINE V inside(V u) {
-  return hn::IfThenElseZero(hn::Gt(u, hn::Zero(d)), hn::Min(u, set(1.0f)));
+/// The nearest number in [0, 1]; 0 where there is none.
+HWY_INLINE V inside(V x) {
+  return hn::IfThenElseZero(hn::Gt(x, hn::Zero(d)), hn::Min(x, set(1.0f)));
 }
 
 /// 1 / root of x >= 0, finite, to 2 roundings; an x below the smallest normal number counts as
-/// that. Only the processors of x86 begin with the 11 bits that one step of Halley's makes full.
+/// that. The processors of x86 begin with 11 bits, or with 14, which a step of Halley's or of
+/// Newton's makes full.
 HWY_INLINE V inverse_root(V x) {
   x = hn::Max(x, set(std::numeric_limits<float>::min()));
 #if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
   // With y = (1 - h)^(1/2) / root(x): 1 / root(x) = y (1 + h / 2 + 3 h^2 / 8 + ...).
   const V y = hn::ApproximateReciprocalSqrt(x);
   const V h = hn::NegMulAdd(hn::Mul(x, y), y, set(1.0f));
-  return hn::MulAdd(hn::Mul(y, h), hn::MulAdd(h, set(0.375f), set(0.5f)), y);
+  const V series = kMaxLanes == hn::Lanes(d) ? set(0.5f) : hn::MulAdd(h, set(0.375f), set(0.5f));
+  return hn::MulAdd(hn::Mul(y, h), series, y);
 #else
   return hn::Div(set(1.0f), hn::Sqrt(x));
 #endif
