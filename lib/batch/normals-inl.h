@@ -61,14 +61,12 @@ class Sampling {
     const float* u2 = samples_.u2.block(begin);
     place_columns(incidents, samples_.u1.block(begin), u2, n);
     // 2.a marginal
-    if (sampler_.marginal_map().identity()) {
-      for (std::size_t i = 0; i < n; i += hn::Lanes(d))
-        place_across(marginal_slope(unmapped_sigma(incidents, i), incidents, i), u2, i);
-    } else {
-      place_pieces(incidents, n);
-      for (std::size_t i = 0; i < n; i += hn::Lanes(d))
-        place_across(marginal_slope(mapped_sigma(i), incidents, i), u2, i);
-    }
+    if (sampler_.marginal_map().identity())
+      unmapped_marginal(incidents, n);
+    else
+      mapped_marginal(incidents, n);
+    // 2.b conditional
+    place_across(incidents, u2, n);
     // 3. rotate, 4. unstretch, 5. compute the normal
     write_normals(incidents, begin, n);
   }
@@ -88,48 +86,50 @@ class Sampling {
     return value(tables_.marginal, load(incidents.rows.fraction, i), marginal_, i);
   }
 
-  /// sigma_n of the slope x.
-  HWY_INLINE V unmapped_sigma(const Incidents& incidents, std::size_t i) const {
-    return hn::Mul(load(incidents.edge_sigma, i), marginal_value(incidents, i));
+  void unmapped_marginal(const Incidents& incidents, std::size_t n) {
+    for (std::size_t i = 0; i < n; i += hn::Lanes(d))
+      store(hn::Mul(load(incidents.edge_sigma, i), marginal_value(incidents, i)), sigma_, i);
   }
 
-  /// The same by the map, whose pieces are read as a table is, four coefficients at once.
-  HWY_INLINE V mapped_sigma(std::size_t i) const {
-    const auto [c0, c1, c2, c3] = weighted_fours<1>(sampler_.marginal_map().coefficients(), 0,
-                                                    pieces_.begin.data() + i, nullptr);
-    const V f = load(pieces_.fraction, i);
-    return hn::MulAdd(f, hn::MulAdd(f, hn::MulAdd(f, c3, c2), c1), c0);
-  }
-
-  void place_pieces(const Incidents& incidents, std::size_t n) {
-    const std::size_t pieces = sampler_.marginal_map().pieces();
+  /// sigma_n by the map: its pieces are read as a table is, four coefficients at once.
+  void mapped_marginal(const Incidents& incidents, std::size_t n) {
+    const MonotoneMap<float>& map = sampler_.marginal_map();
     for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
-      const CellVector piece = cell_within(marginal_value(incidents, i), pieces);
+      const CellVector piece = cell_within(marginal_value(incidents, i), map.pieces());
       hn::Store(hn::ShiftLeft<2>(piece.index), di, pieces_.begin.data() + i);
       store(piece.fraction, pieces_.fraction, i);
+    }
+    for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
+      const auto [c0, c1, c2, c3] =
+          weighted_fours<1>(map.coefficients(), 0, pieces_.begin.data() + i, nullptr);
+      const V f = load(pieces_.fraction, i);
+      store(hn::MulAdd(f, hn::MulAdd(f, hn::MulAdd(f, c3, c2), c1), c0), sigma_, i);
     }
   }
 
   /// The slope x, whose scale of y has the sign of y, and the rows of the conditional table.
-  HWY_INLINE void place_across(const BoundedVector& x, const float* u2, std::size_t i) {
-    const V numerator = hn::Sub(x.sigma, set(0.5f));
-    const V denominator = hn::Mul(x.sigma, x.complement);
-    store(numerator, numerator_, i);
-    store(denominator, denominator_, i);
-    const V scale = conditional_scale(numerator, denominator);
-    const M is_positive = hn::Ge(hn::LoadU(d, u2 + i), set(0.5f));
-    store(hn::IfThenElse(is_positive, scale, hn::Neg(scale)), scale_, i);
-    if (tables_.conditional.rows() == 1) return;
-    place_rows(tables_.conditional, conditional_row(numerator, denominator), conditional_rows_, i);
-    hn::Store(hn::Add(hn::Load(di, conditional_.begin.data() + i),
-                      hn::Load(di, conditional_rows_.begin.data() + i)),
-              di, conditional_.begin.data() + i);
+  void place_across(const Incidents& incidents, const float* u2, std::size_t n) {
+    for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
+      const BoundedVector x = marginal_slope(incidents, i);
+      const V numerator = hn::Sub(x.sigma, set(0.5f));
+      const V denominator = hn::Mul(x.sigma, x.complement);
+      store(numerator, numerator_, i);
+      store(denominator, denominator_, i);
+      const V scale = conditional_scale(numerator, denominator);
+      const M is_positive = hn::Ge(hn::LoadU(d, u2 + i), set(0.5f));
+      store(hn::IfThenElse(is_positive, scale, hn::Neg(scale)), scale_, i);
+      if (tables_.conditional.rows() == 1) continue;
+      place_rows(tables_.conditional, conditional_row(numerator, denominator), conditional_rows_,
+                 i);
+      hn::Store(hn::Add(hn::Load(di, conditional_.begin.data() + i),
+                        hn::Load(di, conditional_rows_.begin.data() + i)),
+                di, conditional_.begin.data() + i);
+    }
   }
 
   /// TabulatedSampler::sample_marginal, from the value at the order of the table.
-  HWY_INLINE BoundedVector marginal_slope(V sigma, const Incidents& incidents,
-                                          std::size_t i) const {
-    const V one = set(1.0f);
+  HWY_INLINE BoundedVector marginal_slope(const Incidents& incidents, std::size_t i) const {
+    const V one = set(1.0f), sigma = load(sigma_, i);
     BoundedVector x{sigma, hn::Sub(one, sigma)};
     if (tables_.tail_order > 1) {
       const V held = hn::Min(sigma, load(incidents.ordered_edge, i));
@@ -196,7 +196,7 @@ class Sampling {
   Samples& samples_;
   Places marginal_, pieces_, conditional_;
   Rows conditional_rows_;
-  Lanes<float> numerator_, denominator_, scale_;
+  Lanes<float> sigma_, numerator_, denominator_, scale_;
 };
 
 }  // namespace
