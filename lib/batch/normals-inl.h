@@ -163,9 +163,12 @@ class Sampling {
   void write_normals(const Incidents& incidents, std::size_t begin, std::size_t n) {
     float *out_x = samples_.x.block(begin), *out_y = samples_.y.block(begin),
           *out_z = samples_.z.block(begin);
+    for (std::size_t i = 0; i < n; i += hn::Lanes(d))
+      store(value(tables_.conditional, load(conditional_rows_.fraction, i), conditional_, i),
+            across_, i);
     for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
       // vndf::conditional_value_inverse, over the common denominator of x and y
-      const V v = value(tables_.conditional, load(conditional_rows_.fraction, i), conditional_, i);
+      const V v = load(across_, i);
       const V one = set(1.0f);
       const V under = hn::Mul(hn::Sub(one, v), hn::Add(one, v));
       const V slope_x = hn::Mul(load(numerator_, i), under);
@@ -196,7 +199,7 @@ class Sampling {
   Samples& samples_;
   Places marginal_, pieces_, conditional_;
   Rows conditional_rows_;
-  Lanes<float> sigma_, numerator_, denominator_, scale_;
+  Lanes<float> sigma_, across_, numerator_, denominator_, scale_;
 };
 
 }  // namespace
