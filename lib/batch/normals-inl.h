@@ -156,7 +156,8 @@ class Sampling {
   HWY_INLINE V conditional_row(V numerator, V denominator) const {
     const V unit = hn::Mul(set(sampler_.conditional_unit()), denominator);
     const V hypotenuse = hn::Sqrt(hn::MulAdd(unit, unit, hn::Mul(numerator, numerator)));
-    const V base = hn::Sqrt(hn::Div(hn::Abs(numerator), hn::Add(unit, hypotenuse)));
+    const V size = hn::Abs(numerator);
+    const V base = hn::Mul(size, inverse_root(hn::Mul(size, hn::Add(unit, hypotenuse))));
     return row_coordinate(sampler_.conditional_rows(), base);
   }
 

@@ -56,18 +56,24 @@ HWY_INLINE V hermite(V v0, V t0, V v1, V t1, V fraction) {
   return hn::MulAdd(fraction, hn::MulAdd(fraction, hn::MulAdd(fraction, c3, c2), t0), v0);
 }
 
+/// values[segment], of which there is one alone where `is_alone`: no gather is needed then.
+HWY_INLINE V of_segment(const float* values, hn::Vec<Ints> segment, bool is_alone) {
+  return is_alone ? set(*values) : hn::GatherIndex(d, values, segment);
+}
+
 /// The row coordinate of a base coordinate (RowAxis::row).
 HWY_INLINE V row_coordinate(const RowAxis<float>& axis, V base) {
   const auto& knots = axis.bases();
   if (knots.empty()) return base;
+  const bool is_alone = knots.size() == 2;
   auto segment = hn::Zero(di);
   for (std::size_t k = 1; k + 1 < knots.size(); ++k)
     segment =
         hn::Sub(segment, hn::VecFromMask(di, hn::RebindMask(di, hn::Ge(base, set(knots[k])))));
-  const V below = hn::GatherIndex(d, axis.rows().data(), segment);
-  const V above = hn::GatherIndex(d, axis.rows().data() + 1, segment);
-  const V rise = hn::Mul(hn::Sub(base, hn::GatherIndex(d, knots.data(), segment)),
-                         hn::GatherIndex(d, axis.rows_per_base().data(), segment));
+  const V below = of_segment(axis.rows().data(), segment, is_alone);
+  const V above = of_segment(axis.rows().data() + 1, segment, is_alone);
+  const V rise = hn::Mul(hn::Sub(base, of_segment(knots.data(), segment, is_alone)),
+                         of_segment(axis.rows_per_base().data(), segment, is_alone));
   return hn::Min(hn::Max(hn::Add(below, rise), below), above);
 }
 
