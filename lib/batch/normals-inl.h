@@ -181,9 +181,9 @@ class Sampling {
       const V m_x = hn::Mul(load(incidents.alpha_x, i), minus_x);
       const V m_y = hn::Mul(load(incidents.alpha_y, i), minus_y);
       const V m_z = hn::Mul(load(denominator_, i), under);
-      // vndf::normalize_or_up
+      // vndf::normalize_or_up; a length that inverse_root() cannot tell is none.
       const V square = hn::MulAdd(m_x, m_x, hn::MulAdd(m_y, m_y, hn::Mul(m_z, m_z)));
-      const M is_normal = hn::And(hn::Gt(square, hn::Zero(d)),
+      const M is_normal = hn::And(hn::Ge(square, set(std::numeric_limits<float>::min())),
                                   hn::Le(square, set(std::numeric_limits<float>::max())));
       const V inverse = inverse_root(square);
       hn::StoreU(hn::IfThenElseZero(is_normal, hn::Mul(m_x, inverse)), d, out_x + i);
