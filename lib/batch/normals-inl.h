@@ -94,8 +94,10 @@ class Sampling {
   /// sigma_n by the map: its pieces are read as a table is, four coefficients at once.
   void mapped_marginal(const Incidents& incidents, std::size_t n) {
     const MonotoneMap<float>& map = sampler_.marginal_map();
+    for (std::size_t i = 0; i < n; i += hn::Lanes(d))
+      store(marginal_value(incidents, i), sigma_, i);
     for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
-      const CellVector piece = cell_within(marginal_value(incidents, i), map.pieces());
+      const CellVector piece = cell_within(load(sigma_, i), map.pieces());
       hn::Store(hn::ShiftLeft<2>(piece.index), di, pieces_.begin.data() + i);
       store(piece.fraction, pieces_.fraction, i);
     }
