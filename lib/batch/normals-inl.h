@@ -50,7 +50,8 @@ HWY_INLINE BoundedVector from_order(BoundedVector x, int order) {
   return x;
 }
 
-/// Everything between the incident directions of a block and its normals.
+/// Everything between the incident directions of a block and its normals, in short loops: one that
+/// waits for a table or a root then has the next samples at hand.
 class Sampling {
  public:
   Sampling(const TabulatedSampler<float>& sampler, Samples& samples)
@@ -171,8 +172,7 @@ class Sampling {
             across_, i);
     for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
       // vndf::conditional_value_inverse, over the common denominator of x and y
-      const V v = load(across_, i);
-      const V one = set(1.0f);
+      const V v = load(across_, i), one = set(1.0f);
       const V under = hn::Mul(hn::Sub(one, v), hn::Add(one, v));
       const V slope_x = hn::Mul(load(numerator_, i), under);
       const V slope_y = hn::Mul(load(scale_, i), hn::Add(v, v));
@@ -202,7 +202,8 @@ class Sampling {
   Samples& samples_;
   Places marginal_, pieces_, conditional_;
   Rows conditional_rows_;
-  Lanes<float> sigma_, across_, numerator_, denominator_, scale_;
+  Lanes<float> sigma_, numerator_, denominator_, scale_;
+  Lanes<float> across_;  // v = 2 sigma - 1 of |y| / scale
 };
 
 }  // namespace

@@ -28,12 +28,14 @@ HWY_BEFORE_NAMESPACE();
 namespace vndf::batch::HWY_NAMESPACE {
 namespace {
 
-/// The cell, from `first` to `last`, of a coordinate in [0, 1] among equidistant nodes
-/// (vndf::cell_of), but that a coordinate within a rounding of a node may go to either side of it.
+/// A cell among equidistant nodes, and the fraction of it.
 struct CellVector {
   hn::Vec<Ints> index;
   V fraction;
 };
+
+/// The cell, from `first` to `last`, of a coordinate in [0, 1] (vndf::cell_of), but that a
+/// coordinate within a rounding of a node may go to either side of it.
 HWY_INLINE CellVector cell_within(V coordinate, std::size_t cells, std::size_t first,
                                   std::size_t last) {
   // Numbers from 2^23 to 2^24 are whole and end with their own bits: adding 3 2^22 rounds.

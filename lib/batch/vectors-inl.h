@@ -51,8 +51,8 @@ HWY_INLINE V inside(V x) {
 }
 
 /// 1 / root of x >= 0, finite, to 2 roundings; an x below the smallest normal number counts as
-/// that. The processors of x86 begin with 11 bits, or with 14, which a step of Halley's or of
-/// Newton's makes full.
+/// that. The processors of x86 begin with 11 bits, or with 14 where vectors have 16 lanes, which a
+/// step of Halley's or of Newton's makes full.
 HWY_INLINE V inverse_root(V x) {
   x = hn::Max(x, set(std::numeric_limits<float>::min()));
 #if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
