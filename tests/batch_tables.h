@@ -62,6 +62,10 @@ inline std::vector<std::shared_ptr<const SlopeTables>> all_kinds_of_tables() {
     t.conditional = conditional_table(4, 31, RowBlend::cubic);
     t.conditional_quadratic = 0.25;
   });
+  add("scale that does not grow with x, slopes to infinity", [](SlopeTables& t) {
+    t.conditional = power_table(1, 24, RowBlend::linear, 1, Tangents::five_points_even);
+    t.conditional_quadratic = 0;
+  });
   add("marginal of one row",
       [](SlopeTables& t) { t.marginal = power_table(1, 20, RowBlend::cubic); });
   add("bounded slopes", [](SlopeTables& t) { t.support = 1.75; });

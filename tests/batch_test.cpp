@@ -2,6 +2,7 @@
 // kind, at any length.
 #include "batch/sample_batch.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -17,6 +18,13 @@ using namespace vndf;
 using namespace vndf::test;
 
 namespace {
+
+/// Five roundings: of the three squares, their inverse root and the products with it.
+constexpr double kLengthError = 5 * 0x1p-24;
+
+double length_error(const Vec3<float>& m) {
+  return std::abs(std::hypot(double{m.x}, double{m.y}, double{m.z}) - 1);
+}
 
 bool same(const Vec3<float>& a, const Vec3<float>& b) {
   return a.x == b.x && a.y == b.y && a.z == b.z;
@@ -97,8 +105,9 @@ TEST_CASE("inputs at and outside the ends of their ranges give what the scalar s
           for (const float u2 : us) batch.add(wi, alpha, u1, u2);
     for_each_target([&](const char* target) {
       batch.sample(judge.sampler());
-      double worst = -1;
+      double worst = -1, worst_length = 0;
       for (std::size_t i = 0; i < batch.size(); ++i) {
+        worst_length = std::max(worst_length, length_error(batch.normal(i)));
         const Alpha<float> alpha{batch.alpha_x[i], batch.alpha_y[i]};
         const Vec3<float> wi{batch.wi_x[i], batch.wi_y[i], batch.wi_z[i]};
         if (!valid(wi, alpha)) REQUIRE(same(batch.normal(i), {0, 0, 1}));
@@ -110,6 +119,7 @@ TEST_CASE("inputs at and outside the ends of their ranges give what the scalar s
       }
       CAPTURE(t->distribution, target);
       CHECK(worst <= judge.allowed());
+      CHECK(worst_length <= kLengthError);
     });
   }
 }

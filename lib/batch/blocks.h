@@ -9,8 +9,8 @@
 
 namespace vndf::batch {
 
-/// Samples in a block: a multiple of the lanes of any target, few enough that a dozen arrays and
-/// the rows in use stay in the first-level cache.
+/// Samples in a block: a multiple of the lanes of any target, few enough that thirty arrays, 17
+/// KiB, leave the rows in use their place in the first-level cache.
 inline constexpr std::size_t kBlock = 128;
 /// Most lanes that a kernel uses.
 inline constexpr std::size_t kMaxLanes = 16;
