@@ -26,7 +26,9 @@ struct NormalSpans {
 /// A normal of a batch is that of TabulatedSampler<float>::sample(), but for what a change of u1
 /// and u2 by kBatchUError makes and for kBatchAngle, in radians between the normals at unit
 /// roughness and unit mean slope; inputs outside their range give the same (0, 0, 1). Targets
-/// differ among themselves by as much, for some of them fuse multiplications and additions.
+/// differ among themselves by as much, for some of them fuse multiplications and additions. One in
+/// 4000 of inputs chosen to be hard exceeds it, up to sevenfold, at the rim of bounded slopes, and
+/// fewer by up to 1.8 times elsewhere.
 inline constexpr double kBatchUError = 3e-7, kBatchAngle = 1e-6;
 
 /// Draws wm[i] for wi[k], alpha[k], u1[i], u2[i], k = i / per_direction: of each direction
