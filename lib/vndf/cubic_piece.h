@@ -1,5 +1,5 @@
-// One piece of an increasing piecewise cubic, with its derivative and its inverse: what the rows of
-// the tables (table.h) and the map of a marginal (monotone_map.h) are made of.
+// One piece of an increasing piecewise cubic, with its derivative, inverse and Hermite form: what
+// the rows of tables (table.h), the map of a marginal (monotone_map.h) and curves are made of.
 #pragma once
 
 namespace vndf {
@@ -36,5 +36,17 @@ struct CubicPiece {
     return f;
   }
 };
+
+/// A cubic through increasing values increases where no tangent is more than this times the rise
+/// (Fritsch and Carlson 1980).
+inline constexpr double kSteepest = 3;
+
+/// The cubic through values `v0` and `v1` with derivatives `t0` and `t1` at f = 0 and 1.
+template <class T>
+CubicPiece<T> hermite_piece(T v0, T t0, T v1, T t1) {
+  const T secant = v1 - v0;
+  const T c3 = t0 + t1 - T(2) * secant;
+  return {v0, t0, secant - t0 - c3, c3};
+}
 
 }  // namespace vndf

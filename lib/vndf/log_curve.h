@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "vndf/cubic_piece.h"
+
 namespace vndf {
 
 /// Logarithm of the function at a node and its derivative per node spacing.
@@ -86,7 +88,7 @@ class LogCurve {
       if (inside > s.end) continue;
       if (inside < s.begin) break;
       const Place p = place_in(s, inside);
-      return hermite(s.nodes[p.index], s.nodes[p.index + 1], p.fraction);
+      return piece_at(s, p).at(p.fraction);
     }
     return open_ && inside > segments_.back().end ? continuation(inside)
                                                   : -std::numeric_limits<T>::infinity();
@@ -100,8 +102,7 @@ class LogCurve {
     for (const auto& s : segments_)
       if (a >= s.begin && a <= s.end) {
         const Place p = place_in(s, inside_graded(s, a));
-        const T per_t = hermite_derivative(s.nodes[p.index], s.nodes[p.index + 1], p.fraction) *
-                        static_cast<T>(s.nodes.size() - 1);
+        const T per_t = piece_at(s, p).derivative(p.fraction) * static_cast<T>(s.nodes.size() - 1);
         return per_t / (graded_inverse_derivative(p.t, s.grading) * (s.end - s.begin));
       }
     return end_slope();
@@ -141,17 +142,9 @@ class LogCurve {
            end_slope() * (std::min(a, kFarthest) - segments_.back().end);
   }
 
-  static T hermite(const LogCurveNode<T>& l, const LogCurveNode<T>& r, T f) {
-    const T secant = r.value - l.value;
-    const T c2 = T(3) * secant - T(2) * l.tangent - r.tangent;
-    const T c3 = l.tangent + r.tangent - T(2) * secant;
-    return l.value + f * (l.tangent + f * (c2 + f * c3));
-  }
-  static T hermite_derivative(const LogCurveNode<T>& l, const LogCurveNode<T>& r, T f) {
-    const T secant = r.value - l.value;
-    const T c2 = T(3) * secant - T(2) * l.tangent - r.tangent;
-    const T c3 = l.tangent + r.tangent - T(2) * secant;
-    return l.tangent + f * (T(2) * c2 + f * T(3) * c3);
+  static CubicPiece<T> piece_at(const LogCurveSegment<T>& s, const Place& p) {
+    const LogCurveNode<T>&l = s.nodes[p.index], &r = s.nodes[p.index + 1];
+    return hermite_piece(l.value, l.tangent, r.value, r.tangent);
   }
 
   std::vector<LogCurveSegment<T>> segments_;

@@ -18,7 +18,6 @@ namespace vndf {
 struct MonotoneNode {
   double value, tangent;
 };
-inline constexpr double kSteepest = 3;
 
 template <class T>
 class MonotoneMap {
@@ -29,10 +28,9 @@ class MonotoneMap {
   explicit MonotoneMap(const std::vector<MonotoneNode>& nodes) {
     for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
       const MonotoneNode &l = nodes[k], &r = nodes[k + 1];
-      const double rise = r.value - l.value;
-      pieces_.push_back({static_cast<T>(l.value), static_cast<T>(l.tangent),
-                         static_cast<T>(3 * rise - 2 * l.tangent - r.tangent),
-                         static_cast<T>(l.tangent + r.tangent - 2 * rise)});
+      const auto piece = hermite_piece(l.value, l.tangent, r.value, r.tangent);
+      pieces_.push_back({static_cast<T>(piece.c0), static_cast<T>(piece.c1),
+                         static_cast<T>(piece.c2), static_cast<T>(piece.c3)});
     }
     count_ = static_cast<T>(pieces_.size());
   }

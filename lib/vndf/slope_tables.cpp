@@ -13,26 +13,27 @@ using Broken = std::optional<std::string>;
 
 /// The rule that value j of a row breaks, or nothing.
 template <class V>
-const char* broken_rule(const std::vector<V>& w, std::size_t j) {
-  if (!std::isfinite(w[j])) return " is not a finite number";
-  if (w[j] < 0 || w[j] > 1) return " is outside [0, 1]";
-  if (j == 0 && w[j] != 0) return " is not 0, the value at the end of a row";
-  if (j > 0 && w[j] < w[j - 1]) return " is below the column before it";
+const char* broken_rule(const TableNode<V>* row, std::size_t j) {
+  const V w = row[j].value;
+  if (!std::isfinite(w)) return " is not a finite number";
+  if (w < 0 || w > 1) return " is outside [0, 1]";
+  if (j == 0 && w != 0) return " is not 0, the value at the end of a row";
+  if (j > 0 && w < row[j - 1].value) return " is below the column before it";
   return nullptr;
 }
 
 template <class V>
-Broken check_row(const std::vector<V>& w) {
-  for (std::size_t j = 0; j < w.size(); ++j)
-    if (const char* rule = broken_rule(w, j)) return "column " + std::to_string(j) + rule;
+Broken check_row(const TableNode<V>* row, std::size_t columns) {
+  for (std::size_t j = 0; j < columns; ++j)
+    if (const char* rule = broken_rule(row, j)) return "column " + std::to_string(j) + rule;
   return {};
 }
 
 Broken check_table(const QuantileTable& table, const std::string& name) {
   if (table.rows() < 1 || table.columns() < 3) return name + " table: empty";
   for (std::size_t i = 0; i < table.rows(); ++i) {
-    const Broken b =
-        table.in_double() ? check_row(table.row_values<double>(i)) : check_row(table.row_values(i));
+    const Broken b = table.in_double() ? check_row(table.row<double>(i), table.columns())
+                                       : check_row(table.row(i), table.columns());
     if (b) return name + " table, row " + std::to_string(i) + ": " + *b;
   }
   return {};

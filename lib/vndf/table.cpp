@@ -38,13 +38,13 @@ double even_derivative(const T* values, std::size_t i) {
   return (8 * difference(1) - difference(2)) / 12;
 }
 
-/// Three times the smaller difference to a neighbour.
+/// The largest tangent: kSteepest times the smaller difference to a neighbour.
 template <class T>
 double steepest(const T* values, std::size_t count, std::size_t i) {
   const auto difference = [&](std::size_t k) {
     return static_cast<double>(values[k + 1]) - static_cast<double>(values[k]);
   };
-  return 3 * std::min(difference(i > 0 ? i - 1 : 0), difference(std::min(i, count - 2)));
+  return kSteepest * std::min(difference(i > 0 ? i - 1 : 0), difference(std::min(i, count - 2)));
 }
 
 }  // namespace

@@ -50,15 +50,10 @@ Four<T> two_nodes(const TableNode<V>* left) {
           static_cast<T>(right.tangent)};
 }
 
-/// The cubic through two neighbouring nodes with their tangents: (value, tangent) of the left one,
-/// then of the right one. Increasing where the values are and no tangent is more than three times
-/// their difference (Fritsch and Carlson 1980).
+/// The cubic between two nodes, (value, tangent) of the left one, then of the right one.
 template <class T>
 CubicPiece<T> hermite_piece(const Four<T>& nodes) {
-  const auto& [v0, t0, v1, t1] = nodes;
-  const T secant = v1 - v0;
-  const T c3 = t0 + t1 - T(2) * secant;
-  return {v0, t0, secant - t0 - c3, c3};
+  return hermite_piece(nodes[0], nodes[1], nodes[2], nodes[3]);
 }
 
 /// Two nodes that are a cubic blend of rows, with tangents that keep the piece between them
@@ -66,7 +61,7 @@ CubicPiece<T> hermite_piece(const Four<T>& nodes) {
 template <class T>
 Four<T> with_limited_tangents(const Four<T>& nodes) {
   const auto& [v0, t0, v1, t1] = nodes;
-  const T most = T(3) * (v1 - v0);
+  const T most = T(kSteepest) * (v1 - v0);
   return {v0, larger(smaller(t0, most), T(0)), v1, larger(smaller(t1, most), T(0))};
 }
 
