@@ -50,4 +50,5 @@ TEST_CASE("a conditional that does not factorise is found too") {
 TEST_CASE("a tolerance that no table of the size keeps is refused, with the nearest there is") {
   CHECK_THROWS_WITH(smallest("ggx", 1e-9, 4096),
                     contains("no marginal table of at most 4096 bytes") && contains("errs by"));
+  CHECK_THROWS_WITH(smallest("ggx", 1e-5, 10), contains("none that was tried is so small"));
 }

@@ -173,8 +173,12 @@ void require(const Candidate& c, const char* table, const SmallestOptions& optio
   if (c.error <= options.tolerance) return;
   std::ostringstream why;
   why << "no " << table << " table of at most " << options.max_bytes
-      << " bytes keeps the tolerance " << options.tolerance << ": the nearest errs by " << c.error
-      << " in u with " << c.bytes << " bytes; allow more bytes or a larger tolerance";
+      << " bytes keeps the tolerance " << options.tolerance << ": ";
+  if (std::isfinite(c.error))
+    why << "the nearest errs by " << c.error << " in u with " << c.bytes
+        << " bytes; allow more bytes or a larger tolerance";
+  else
+    why << "none that was tried is so small; allow more bytes";
   throw std::runtime_error(why.str());
 }
 
