@@ -65,6 +65,31 @@ JudgeOptions quick(std::uint64_t seed) {
   return {.thoroughness = Thoroughness::quick, .seed = seed};
 }
 
+/// The exact map of any distribution, to be judged by its normals only.
+Subject exact_map(const std::string& distribution) {
+  Subject subject;
+  subject.name = distribution;
+  subject.law = law_of(distribution);
+  subject.claims.inverse_map = true;
+  subject.sample = [law = subject.law](const Configuration& c, std::span<const Pair> u,
+                                       std::span<Vec3<double>> wm) {
+    for (std::size_t k = 0; k < u.size(); ++k) wm[k] = exact_normal(*law, c, u[k].x, u[k].y);
+  };
+  return subject;
+}
+
+/// `subject` with its random numbers moved by `error`, most for u in the middle.
+Subject disturbed(Subject subject, double error) {
+  const auto good = subject.sample;
+  subject.sample = [good, error](const Configuration& c, std::span<const Pair> u,
+                                 std::span<Vec3<double>> wm) {
+    std::vector<Pair> moved(u.begin(), u.end());
+    for (Pair& p : moved) p.x += error * 4 * p.x * (1 - p.x);
+    good(c, moved, wm);
+  };
+  return subject;
+}
+
 }  // namespace
 
 TEST_CASE("an exact sampler whose map is not monotone passes, with several seeds") {
@@ -159,14 +184,7 @@ TEST_CASE("the u-error that the judge measures is the certificate's, by another 
 }
 
 TEST_CASE("an error of 1e-4 in u is measured as 1e-4") {
-  Subject off = inverse_beckmann();
-  const auto exact = off.sample;
-  off.sample = [exact](const Configuration& c, std::span<const Pair> u,
-                       std::span<Vec3<double>> wm) {
-    std::vector<Pair> moved(u.begin(), u.end());
-    for (Pair& p : moved) p.x += 1e-4 * 4 * p.x * (1 - p.x);
-    exact(c, moved, wm);
-  };
+  const Subject off = disturbed(inverse_beckmann(), 1e-4);
   const auto findings = measure_quantile_error(off, {.places = 100, .slopes = 1, .stride = 4});
   CHECK(findings[0].statistic == "u-error of slope x");
   CHECK(findings[0].measured == Approx(1e-4).epsilon(0.01));
@@ -209,6 +227,21 @@ TEST_CASE("the exact normal of the cross-validation inverts the exact transform"
       CHECK(exact.uniforms(wm, 0).x == Approx(u1).epsilon(1e-9));
       CHECK(GgxForms::conditional(s.x / s.w, s.y / s.w) == Approx(u2).epsilon(1e-9));
     }
+}
+
+TEST_CASE("beside an exact sampler a difference counts as the error in u that makes it") {
+  // The radius of Student-T 1.55 moves by five times the error of a slope in its tail, that of a
+  // ring by four times.
+  for (const std::string name : {"student-t:gamma=1.55", "annulus:inner=0.5"}) {
+    Subject exact = exact_map(name);
+    exact.bounds.u_error = 1e-5;
+    const Finding own = cross_validate(exact, 100, {}).front();
+    const Finding half = cross_validate(disturbed(exact, 5e-6), 100, {}).front();
+    CAPTURE(name, own.measured, half.measured);
+    CHECK(own.measured < 1e-10);
+    CHECK(half.measured == Approx(5e-6).epsilon(0.1));
+    CHECK_FALSE(cross_validate(disturbed(exact, 2e-5), 100, {}).front().passed());
+  }
 }
 
 TEST_CASE("tables of every kind of law pass the default setting", "[.slow]") {

@@ -15,6 +15,9 @@ namespace {
 
 using precompute::VisibleSlopes;
 
+// Larger errors than this are not small: the derivative is then taken over this.
+constexpr double kLargestStep = 1e-3;
+
 struct Difference {
   Worst u, angle;
 };
@@ -24,20 +27,41 @@ double angle_between(const Vec3<double>& a, const Vec3<double>& b) {
   return std::atan2(std::sqrt(dot(across, across)), dot(a, b));
 }
 
+/// Of the uniforms of two normals.
+double difference(const Uniforms& a, const Uniforms& b) {
+  // The ends of w_phi are one azimuth; what counts is the mass that is swept within the radius.
+  const double turn = std::abs(a.phi - b.phi);
+  const double swept = std::min(turn, 1 - turn) * std::max(a.r, b.r);
+  return std::max({std::abs(a.r - b.r), std::abs(a.x - b.x), swept});
+}
+
+/// What an error of 1 in u1 and one in u2 together make of the uniforms, at least 1. A radius can
+/// move by many times the error of its slope x, where less mass lies beyond that slope than beyond
+/// the radius. By differences over `step` towards the middle.
+double condition_number(const Subject& subject, const Configuration& c, const ExactLaw& law,
+                        const Pair& u, double step) {
+  const auto uniforms = [&](double u1, double u2) {
+    return law.uniforms(exact_normal(*subject.law, c, u1, u2), 0);
+  };
+  const auto moved = [&](double p) { return p < 0.5 ? p + step : p - step; };
+  const Uniforms here = uniforms(u.x, u.y);
+  const double made =
+      difference(here, uniforms(moved(u.x), u.y)) + difference(here, uniforms(u.x, moved(u.y)));
+  return std::max(1.0, made / step);
+}
+
 Difference compare(const Subject& subject, const Configuration& c, std::size_t points) {
   const ExactLaw law(*subject.law, subject.claims.law, c);
+  const double step = std::min(subject.bounds.u_error, kLargestStep);
   Difference worst;
   for (std::size_t k = 0; k < points; ++k) {
-    const auto [u1, u2] = even_point(k);
-    const Vec3<double> exact = exact_normal(*subject.law, c, u1, u2);
-    const Vec3<double> given = subject.sample_one(c, u1, u2);
+    const Pair u = even_point(k);
+    const Vec3<double> exact = exact_normal(*subject.law, c, u.x, u.y);
+    const Vec3<double> given = subject.sample_one(c, u.x, u.y);
     if (given.z < kSmallestHeight || exact.z < kSmallestHeight) continue;
-    const Uniforms a = law.uniforms(exact, 0), b = law.uniforms(given, 0);
-    // The ends of w_phi are one azimuth; what counts is the mass that is swept within the radius.
-    const double turn = std::abs(a.phi - b.phi);
-    const double swept = std::min(turn, 1 - turn) * std::max(a.r, b.r);
-    const Place place = place_of(c, u1, u2);
-    worst.u.see(std::max({std::abs(a.r - b.r), std::abs(a.x - b.x), swept}), place);
+    const Place place = place_of(c, u.x, u.y);
+    const double moved = difference(law.uniforms(exact, 0), law.uniforms(given, 0));
+    worst.u.see(moved / condition_number(subject, c, law, u, step), place);
     worst.angle.see(angle_between(exact, given), place);
   }
   return worst;
@@ -67,8 +91,7 @@ std::vector<Finding> cross_validate(const Subject& subject, std::size_t points,
     all.u.see(d.u);
     all.angle.see(d.angle);
   }
-  // A joint difference in u has the errors of both slopes in it.
-  Finding f = all.u.finding("cross", "difference in u", 3 * subject.bounds.u_error);
+  Finding f = all.u.finding("cross", "difference in u", subject.bounds.u_error);
   f.note = "angle up to " + precompute::rounded_text(all.angle.measured) + " rad";
   return {f};
 }

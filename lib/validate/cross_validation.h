@@ -1,6 +1,8 @@
 // Stage: the subject beside an exact sampler, on the same random numbers. The difference is told in
 // u, which has a bound, and as the angle between the normals, which has none: where the density is
-// small an angle is large and no error.
+// small an angle is large and no error. The u of the difference are the uniforms of the normal
+// (exact_law.h), of the radius and the azimuth too, which move by more than the u of the map where
+// its slopes are of a tail: a difference counts as the error in (u1, u2) that would make it.
 #pragma once
 
 #include <vector>
