@@ -384,6 +384,14 @@ TEST_CASE("a profile with the marks and line ends of other systems is the same p
   CHECK(folder.run("sample a.exr" + sample).out == folder.run("sample b.exr" + sample).out);
 }
 
+TEST_CASE("tables that err by more than 1e-3 are not written in silence") {
+  const Folder folder;
+  const Result coarse = folder.run("build ggx -o a.h5 --size 8");
+  CHECK(coarse.status == 0);
+  CHECK_THAT(coarse.error, contains("warning: the marginal table errs by up to"));
+  CHECK(folder.run("build ggx -o a.h5 --size 64").error.empty());
+}
+
 TEST_CASE("tables that miss a tolerance are not written, and by how much is told") {
   const Folder folder;
   check_one_line_failure(folder.run("build ggx -o a.h5 --size 16 --tolerance 1e-6"),

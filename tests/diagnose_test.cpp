@@ -11,8 +11,10 @@
 
 #include "catch.h"
 #include "precompute/distribution_spec.h"
+#include "precompute/families.h"
 #include "precompute/family_list.h"
 #include "precompute/formula_distribution.h"
+#include "precompute/unit_slopes.h"
 
 using namespace vndf::precompute;
 using namespace vndf::test;
@@ -68,6 +70,12 @@ TEST_CASE("negative and undefined densities are refused with the radius") {
   check_refused(formula("sqrt(2-r)"), "at slope radius 2");
   check_refused(formula("sin(r)/r*exp(-r)"), "nan at slope radius 0; it must be >= 0 there");
   check_refused(formula("r-1"), "p22 is -1 at slope radius 0");
+}
+
+TEST_CASE("tails that reach beyond double precision are refused") {
+  CHECK_THROWS_WITH(UnitSlopes(StudentT(1.51), {}),
+                    contains("student-t:gamma=1.51") && contains("r^-3.03"));
+  CHECK_NOTHROW(UnitSlopes(StudentT(1.52), {}));
 }
 
 TEST_CASE("infinite densities are refused at r > 0") {

@@ -236,7 +236,7 @@ TEST_CASE("parameters out of range are refused by name, rule and value") {
   CHECK_THROWS_WITH(ExponentialPower(0), contains("exponential-power: p is 0; it must be > 0"));
   CHECK_THROWS_WITH(KDistribution(0), contains("k: nu is 0; it must be > 0 and <= 100"));
   CHECK_THROWS_WITH(KDistribution(101), contains("k: nu is 101") && contains("Beckmann"));
-  CHECK_THROWS_WITH(PearsonII(-1), contains("pearson-ii: m is -1; it must be > -1"));
+  CHECK_THROWS_WITH(PearsonII(-1), contains("pearson-ii: m is -1; it must be >= -1/2"));
   CHECK_THROWS_WITH(Annulus(1), contains("annulus: inner is 1; it must be >= 0 and < 1"));
   CHECK_THROWS_WITH(Annulus(-0.1), contains("annulus: inner is -0.1"));
   const double infinity = std::numeric_limits<double>::infinity();

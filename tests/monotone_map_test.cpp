@@ -15,8 +15,8 @@ namespace {
 constexpr double kQuarter = std::numbers::pi / 2;
 
 /// sin(pi x / 2) at 17 nodes, with its derivative per node spacing.
-std::vector<MonotoneNode> sine() {
-  std::vector<MonotoneNode> nodes;
+std::vector<CubicNode<double>> sine() {
+  std::vector<CubicNode<double>> nodes;
   for (int k = 0; k <= 16; ++k) {
     const double x = kQuarter * k / 16;
     nodes.push_back({std::sin(x), kQuarter / 16 * std::abs(std::cos(x))});
@@ -25,7 +25,7 @@ std::vector<MonotoneNode> sine() {
 }
 
 /// Nodes with a flat piece, a steep piece, and the steepest tangents there may be.
-std::vector<MonotoneNode> uneven() {
+std::vector<CubicNode<double>> uneven() {
   return {{0, 0}, {0, 0}, {1e-6, 3e-6}, {0.5, 0}, {0.5, 0}, {1, 1.5}};
 }
 

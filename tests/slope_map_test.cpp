@@ -230,6 +230,10 @@ TEST_CASE("normal maps in both encodings and slope maps are read alike") {
   check({"x", "y"}, stored);
 }
 
+TEST_CASE("a folder is no map") {
+  CHECK_THROWS_WITH(io::read_slope_map("."), contains(".: it is not a file"));
+}
+
 TEST_CASE("maps that cannot be read are refused with the file and the reason") {
   const TemporaryFile file;
   const auto refused = [&](const std::string& why) {

@@ -61,7 +61,7 @@ TEST_CASE("a row that decreases is refused") {
 }
 
 TEST_CASE("a map that decreases, does not begin at 0 or has a bad tangent is refused") {
-  const auto refusal_of = [](std::vector<MonotoneNode> map) {
+  const auto refusal_of = [](std::vector<CubicNode<double>> map) {
     auto tables = good_tables();
     tables.marginal_map = std::move(map);
     return check(tables).value_or("");

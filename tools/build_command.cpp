@@ -115,6 +115,20 @@ void require_tolerance(const Certificate& certificate, double tolerance) {
   require(certificate.conditional, "conditional", "slope");
 }
 
+/// Tables that nobody set a bound for are written whatever they err by, but not in silence.
+void warn_of_errors(const Certificate& certificate) {
+  constexpr double kLarge = 1e-3;
+  const auto warn = [](const TableErrors& e, const char* table, const char* row) {
+    if (e.max_u_error <= kLarge) return;
+    std::cerr << fmt::format(
+        "vndf: warning: the {} table errs by up to {:.2e} in u (at {} {:.4g}, u {:.6g}); a larger "
+        "--size may help, and --tolerance E writes no tables that err by more than E\n",
+        table, e.max_u_error, row, e.worst_row, e.worst_u);
+  };
+  warn(certificate.marginal, "marginal", "theta");
+  warn(certificate.conditional, "conditional", "slope");
+}
+
 /// A search chooses the layout itself, by a tolerance.
 void require_layout(const BuildArguments& arguments, std::size_t layout_options_given) {
   if (!arguments.max_bytes) return;
@@ -135,7 +149,10 @@ void build(const BuildArguments& arguments) {
   Size size{};
   parse_size(arguments.size, size);
   const auto built = built_from(arguments, size, *source.distribution);
-  if (arguments.tolerance) require_tolerance(built.certificate, *arguments.tolerance);
+  if (arguments.tolerance)
+    require_tolerance(built.certificate, *arguments.tolerance);
+  else if (!arguments.quiet)
+    warn_of_errors(built.certificate);
   const io::TableFile file{built.tables,
                            {.recipe = recipe(arguments, source.options, size),
                             .program = kProgram,

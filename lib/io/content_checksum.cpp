@@ -55,7 +55,7 @@ void add_axis(Crc64& crc, const std::vector<RowKnot>& knots) {
   }
 }
 
-void add_map(Crc64& crc, const std::vector<MonotoneNode>& nodes) {
+void add_map(Crc64& crc, const std::vector<CubicNode<double>>& nodes) {
   add_count(crc, nodes.size());
   for (const auto& node : nodes) {
     add_number(crc, node.value);

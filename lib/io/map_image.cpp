@@ -14,9 +14,9 @@
 #include <cstdint>
 #include <exception>
 #include <string>
-#include <system_error>
 
 #include "io/refusal.h"
+#include "io/whole_file.h"
 
 namespace vndf::io {
 namespace {
@@ -121,9 +121,7 @@ Pixels read_part(Imf::MultiPartInputFile& file, int index, const ChannelNames& n
 }
 
 Pixels read_pixels(const std::filesystem::path& path) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error))
-    throw Refusal("there is no such file", "check the path");
+  require_file(path);
   Imf::MultiPartInputFile file(path.c_str(), kNoThreads, false);
   for (int part = 0; part < file.parts(); ++part)
     if (const auto names = known_channels(file.header(part)); !names.empty())

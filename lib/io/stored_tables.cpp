@@ -69,7 +69,7 @@ Array stored(std::vector<RowKnot> knots) {
   return {{knots.size(), 2}, std::move(values)};
 }
 
-Array stored(const std::vector<MonotoneNode>& nodes) {
+Array stored(const std::vector<CubicNode<double>>& nodes) {
   std::vector<double> values;
   for (const auto& node : nodes) values.insert(values.end(), {node.value, node.tangent});
   return {{nodes.size(), 2}, std::move(values)};
@@ -264,10 +264,10 @@ std::vector<RowKnot> axis_of(const StoredTables& stored, const std::string& name
   return identity ? std::vector<RowKnot>{} : knots;
 }
 
-std::vector<MonotoneNode> map_of(const StoredTables& stored, const std::string& name) {
+std::vector<CubicNode<double>> map_of(const StoredTables& stored, const std::string& name) {
   if (!adapted(stored) || stored.arrays.count(name) == 0) return {};
   const Rows rows = rows_of(stored, name, 2, 2);
-  std::vector<MonotoneNode> nodes;
+  std::vector<CubicNode<double>> nodes;
   for (std::size_t i = 0; i < rows.count; ++i)
     nodes.push_back({rows.values[2 * i], rows.values[2 * i + 1]});
   return nodes;

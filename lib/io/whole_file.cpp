@@ -20,13 +20,6 @@ std::string last_error() {
   return std::generic_category().message(errno);
 }
 
-void check_readable(const fs::path& path) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) throw Refusal("there is no such file", "check the path");
-  if (!fs::is_regular_file(status)) throw Refusal("it is not a file", "give the path of a file");
-}
-
 std::size_t checked_size(const fs::path& path) {
   std::error_code error;
   const std::uintmax_t size = fs::file_size(path, error);
@@ -76,8 +69,15 @@ class TemporaryFile {
 
 }  // namespace
 
+void require_file(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) throw Refusal("there is no such file", "check the path");
+  if (!fs::is_regular_file(status)) throw Refusal("it is not a file", "give the path of a file");
+}
+
 std::string read_whole_file(const fs::path& path) {
-  check_readable(path);
+  require_file(path);
   std::string bytes(checked_size(path), '\0');
   std::ifstream in(path, std::ios::binary);
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));

@@ -7,6 +7,9 @@
 
 namespace vndf::io {
 
+/// Throws Refusal unless there is a regular file at `path`.
+void require_file(const std::filesystem::path& path);
+
 /// The bytes of a regular file. Throws Refusal if it is missing, empty, not a file, too large for a
 /// table file (kMaxFileBytes) or cannot be read.
 std::string read_whole_file(const std::filesystem::path& path);

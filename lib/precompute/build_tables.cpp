@@ -28,11 +28,29 @@ constexpr double kGoodFault = 3e-6;
 constexpr double kTailWeight = 1e-4;
 constexpr std::size_t kMapNodesPerColumn = 4;
 
+/// asinh of the last slope at which `f` is more than nothing. It may be nothing in a hole too, so
+/// the end is looked for from beyond.
+template <class F>
+double end_of(F f) {
+  constexpr double kStep = 0.95, kNearest = 1e-3;
+  constexpr int kHalvings = 30;
+  const auto positive = [&](double a) { return f(std::sinh(a)) > kSmallestCurveValue; };
+  double end = kFarthestCurve, beyond = end;
+  while (!positive(end) && end > kNearest) {
+    beyond = end;
+    end *= kStep;
+  }
+  for (int k = 0; k < kHalvings; ++k) {
+    const double middle = (end + beyond) / 2;
+    (positive(middle) ? end : beyond) = middle;
+  }
+  return end;
+}
+
 /// Samples log f(slope) to the end of f.
 template <class F>
 LogCurve<double> curve_of(const UnitSlopes& slopes, F f, const Workers& workers) {
-  double end = kFarthestCurve;
-  while (!(f(std::sinh(end)) > kSmallestCurveValue) && end > 1e-3) end *= 0.95;
+  const double end = end_of(f);
   const bool open = std::isinf(slopes.support());
   const auto ends = segment_ends(slopes.distribution(), slopes.mean_slope(), end);
   return make_curve([&](double a) { return std::log(f(std::sinh(a))); }, ends,
@@ -40,10 +58,9 @@ LogCurve<double> curve_of(const UnitSlopes& slopes, F f, const Workers& workers)
 }
 
 LogCurve<double> ndf_curve(const UnitSlopes& slopes, const Workers& workers) {
-  // A singular centre is approached, not reached: cubics between the first nodes overshoot the
-  // logarithm of a pole, the more the nearer they begin. Of a slope density like 1 / r 1.7e-4 of
-  // the mass is too much from 1e-12, 1.8e-7 from here.
-  constexpr double kCentre = 1e-7;
+  // A pole is approached, not reached: to the middle of the first cell, for cubics overshoot the
+  // logarithm of a pole, the more the nearer they begin.
+  constexpr double kCentre = kPoleSegment / (2.0 * kCurveNodes * kCurveNodes);
   const auto ndf = [&](double r) {
     const double square = 1 + r * r;
     return slopes.p22(std::max(r, kCentre)) * square * square;

@@ -211,7 +211,8 @@ std::optional<Marginals> KDistribution::marginals(double x) const {
 }
 
 PearsonII::PearsonII(double m)
-    : m_(checked(m, m > -1, "pearson-ii: m", "> -1, for smaller ones cannot be normalised")),
+    : m_(checked(m, m >= -0.5, "pearson-ii: m",
+                 ">= -1/2, for the marginal density of smaller ones is infinite at the rim")),
       top_(half_gamma_step(m + 1.5) * inv_sqrtpi) {}
 
 std::string PearsonII::name() const {

@@ -102,16 +102,16 @@ class KDistribution final : public SlopeDistribution {
   explicit KDistribution(double nu);
   std::string name() const override;
   double p22(double r) const override;
-  /// The recurrence in nu is. Below it p22 is too singular at r = 0 to be interpolated well.
-  bool costly() const override { return nu_ > 3; }
+  /// Bessel functions are, but K_0 and K_2.
+  bool costly() const override { return nu_ != 1 && nu_ != 3; }
   std::optional<Marginals> marginals(double x) const override;
 
  private:
   double nu_, factor_;
 };
 
-/// Pearson II: p22(r) = (m + 1) / pi (1 - r^2)^m for r < 1, m > -1. For m < 0 it grows without
-/// bound towards r = 1, which costs every quadrature over it precision: sqrt(1e-16) at m = -1/2.
+/// Pearson II: p22(r) = (m + 1) / pi (1 - r^2)^m for r < 1, m >= -1/2. For m < 0 it grows without
+/// bound towards r = 1, which costs every quadrature over it precision: sqrt(1e-16) at -1/2.
 class PearsonII : public SlopeDistribution {
  public:
   explicit PearsonII(double m);

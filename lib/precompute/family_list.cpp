@@ -60,7 +60,7 @@ const std::vector<FamilyInfo>& families() {
           "2 nu/(pi Gamma(nu)) (z/2)^(nu-1) K_{nu-1}(z), z = 2 sqrt(nu) r",
           "Beckmann whose squared roughness is gamma-distributed"),
       without_parameter<UniformDisk>("disk", "1/pi for r < 1", "pearson-ii of m = 0"),
-      with_parameter<PearsonII>("pearson-ii", {"m", 1, "> -1"}, "(m+1)/pi (1-r^2)^m for r < 1",
+      with_parameter<PearsonII>("pearson-ii", {"m", 1, ">= -1/2"}, "(m+1)/pi (1-r^2)^m for r < 1",
                                 "Pearson's type II, in two dimensions"),
       with_parameter<Annulus>("annulus", {"inner", 0.5, ">= 0, < 1"},
                               "1/(pi (1-inner^2)) for inner <= r < 1",

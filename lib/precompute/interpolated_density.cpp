@@ -18,7 +18,9 @@ class Interpolated final : public SlopeDistribution {
   Interpolated(const SlopeDistribution& d, double scale, LogCurve<double> curve)
       : exact_(d), scale_(scale), curve_(std::move(curve)) {}
   std::string name() const override { return exact_.name(); }
-  double p22(double r) const override { return curve_.at(std::asinh(r / scale_)); }
+  double p22(double r) const override {
+    return r == 0 ? exact_.p22(0) : curve_.at(std::asinh(r / scale_));
+  }
   std::vector<double> breaks() const override { return exact_.breaks(); }
   double support() const override { return exact_.support(); }
   std::optional<Marginals> marginals(double x) const override { return exact_.marginals(x); }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "vndf/differences.h"
+
 namespace vndf::precompute {
 namespace {
 
@@ -29,23 +31,10 @@ double value_at(const std::function<double(double)>& log_f, const Segment& s, do
   return std::isnan(log) ? -kLargestLog : std::clamp(log, -kLargestLog, kLargestLog);
 }
 
-/// Derivatives per node by differences of order 4, one-sided at the ends.
-void set_tangents(std::vector<LogCurveNode<double>>& nodes) {
-  const std::size_t last = nodes.size() - 1;
-  const auto v = [&](std::size_t k) { return nodes[k].value; };
-  for (std::size_t k = 2; k + 2 <= last; ++k)
-    nodes[k].tangent = (8 * (v(k + 1) - v(k - 1)) - (v(k + 2) - v(k - 2))) / 12;
-  const auto end = [&](auto at) {
-    return (-25 * at(0) + 48 * at(1) - 36 * at(2) + 16 * at(3) - 3 * at(4)) / 12;
-  };
-  const auto beside_end = [&](auto at) {
-    return (-3 * at(0) - 10 * at(1) + 18 * at(2) - 6 * at(3) + at(4)) / 12;
-  };
-  const auto backward = [&](std::size_t k) { return v(last - k); };
-  nodes[0].tangent = end(v);
-  nodes[1].tangent = beside_end(v);
-  nodes[last].tangent = -end(backward);
-  nodes[last - 1].tangent = -beside_end(backward);
+void set_tangents(std::vector<CubicNode<double>>& nodes) {
+  const auto value = [&](std::size_t k) { return nodes[k].value; };
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    nodes[k].tangent = derivative(kFivePoints, value, nodes.size(), k);
 }
 
 bool is_zero(const Segment& s) {
@@ -61,7 +50,7 @@ LogCurve<double> make_curve(const std::function<double(double a)>& log_f,
   std::vector<Segment> segments;
   for (std::size_t i = 0; i + 1 < ends.size(); ++i)
     segments.push_back({ends[i], ends[i + 1], grading_of(i, ends.size() - 1, options),
-                        std::vector<LogCurveNode<double>>(options.nodes)});
+                        std::vector<CubicNode<double>>(options.nodes)});
   const double step = 1 / static_cast<double>(options.nodes - 1);
   parallel_for(segments.size() * options.nodes, {workers.threads}, [&](std::size_t piece) {
     Segment& s = segments[piece / options.nodes];

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "precompute/bracketed_newton.h"
-#include "precompute/monotone_nodes.h"
 #include "precompute/visible_slopes.h"
 #include "vndf/table_coordinates.h"
 
@@ -97,13 +96,35 @@ std::vector<double> mirrored(const std::vector<double>& half) {
   return edges;
 }
 
+/// Tangents of the first and the last node, where those of the map itself may be 0 or infinite: of
+/// the parabola through the node with the value and tangent of its neighbour.
+void set_end_tangents(std::vector<CubicNode<double>>& nodes) {
+  const auto parabola = [](const auto& end, const auto& beside) {
+    return 2 * std::abs(beside.value - end.value) - beside.tangent;
+  };
+  const std::size_t last = nodes.size() - 1;
+  nodes[0].tangent = parabola(nodes[0], nodes[1]);
+  nodes[last].tangent = parabola(nodes[last], nodes[last - 1]);
+}
+
+/// Limits the tangents to what keeps the map increasing.
+void limit_tangents(std::vector<CubicNode<double>>& nodes) {
+  const std::size_t last = nodes.size() - 1;
+  const auto rise = [&](std::size_t k) { return nodes[k + 1].value - nodes[k].value; };
+  for (std::size_t k = 0; k <= last; ++k) {
+    const double least = std::min(rise(k > 0 ? k - 1 : 0), rise(std::min(k, last - 1)));
+    nodes[k].tangent = std::clamp(nodes[k].tangent, 0.0, kSteepest * least);
+  }
+}
+
 }  // namespace
 
-std::vector<MonotoneNode> marginal_map(const UnitSlopes& slopes, int order, std::size_t nodes) {
+std::vector<CubicNode<double>> marginal_map(const UnitSlopes& slopes, int order,
+                                            std::size_t nodes) {
   const PanelledDensity base([&](double a) { return slopes.p_da(a) * (1 + std::exp(-a)); },
                              mirrored(panel_edges(slopes)));
   const double spacing = 1 / static_cast<double>(nodes - 1);
-  std::vector<MonotoneNode> map{{0, 0}};
+  std::vector<CubicNode<double>> map{{0, 0}};
   for (std::size_t k = 1; k + 1 < nodes; ++k) {
     const double t = spacing * static_cast<double>(k);
     const auto p = marginal_column_inverse(t);

@@ -15,6 +15,6 @@ namespace vndf::precompute {
 /// s -> sigma_n of the slope whose base probability has the column s, n = `order`, with `nodes` >=
 /// 3. The base density is P(x) / sigma(x), up to a factor: its lower tail is that of the slopes
 /// visible at any oblique angle, |x| P(x), and its upper tail is that at normal incidence, P(x).
-std::vector<MonotoneNode> marginal_map(const UnitSlopes& slopes, int order, std::size_t nodes);
+std::vector<CubicNode<double>> marginal_map(const UnitSlopes& slopes, int order, std::size_t nodes);
 
 }  // namespace vndf::precompute

@@ -252,6 +252,9 @@ TableErrors judge_conditional(const Judge& judge, const Workers& workers) {
   std::vector<double> reached;
   for (const double row : off_grid_rows(tables.conditional.rows(), kRows)) {
     const double x = conditional_base_inverse(rows.base(row), tables.conditional_unit);
+    // Given x = 0 a pole leaves no law, or one that none samples.
+    const bool centre = static_cast<float>(bounded_from_slope(x).sigma) == 0.5f;
+    if (centre && std::isinf(judge.slopes.p22(0))) continue;
     if (judge.slopes.m(std::asinh(x)) > kSmallestTail &&
         ConditionalSlopes::reachable(judge.slopes, x))
       reached.push_back(x);
@@ -296,7 +299,8 @@ Certificate measure_certificate(const UnitSlopes& slopes,
   double farthest = 0;  // asinh of the radius
   while (slopes.m(farthest) > kNdfTail && farthest < 16) farthest += 0.01;
   certificate.max_d_error = largest(kCurvePoints, workers, [&](std::size_t k) {
-    return judge.d_error(std::sinh(farthest * golden(k)));
+    const double root = golden(k);  // squared, the radii crowd where D may have a pole
+    return judge.d_error(std::sinh(farthest * root * root));
   });
   const auto theta = [](std::size_t k) { return std::numbers::pi / 2 * golden(k); };
   certificate.max_lambda_error =

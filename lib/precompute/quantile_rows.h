@@ -14,7 +14,7 @@ namespace vndf::precompute {
 /// How the quantiles of a marginal table are kept.
 struct MarginalCoding {
   int order = 1;
-  std::vector<MonotoneNode> nodes = {};
+  std::vector<CubicNode<double>> nodes = {};
   MonotoneMap<double> map = MonotoneMap<double>(nodes);
 
   /// Value of the slope sinh(a) in a row that ends at sinh(farthest).

@@ -5,10 +5,13 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "precompute/interpolated_density.h"
 #include "precompute/make_curve.h"
+#include "precompute/words.h"
 
 namespace vndf::precompute {
 namespace {
@@ -47,10 +50,23 @@ double relative_error(const Estimate& e) {
   return e.value > 0 ? e.error / e.value : 0;
 }
 
+/// Slopes that matter must have a double.
+void require_range(const UnitSlopes& slopes) {
+  constexpr double kFarthest = 700;  // asinh of 5e303
+  constexpr double kLargestShare = 1e-9;
+  const double share = 2 * slopes.m(kFarthest);
+  if (share <= kLargestShare) return;
+  throw std::domain_error("distribution '" + slopes.distribution().name() +
+                          "': at grazing incidence a share of " + rounded_text(share) +
+                          " of the visible slopes is above 5e303, the end of double precision; the "
+                          "tail of p22 must fall faster than r^-3.03");
+}
+
 }  // namespace
 
 std::vector<double> segment_ends(const SlopeDistribution& d, double mean_slope, double end) {
   std::vector<double> ends{0};
+  if (std::isinf(d.p22(0))) ends.push_back(kPoleSegment);
   for (const double r : d.breaks()) ends.push_back(std::asinh(r / mean_slope));
   if (std::isinf(d.support())) ends.push_back(std::max(end, ends.back() + 1));
   return ends;
@@ -77,6 +93,8 @@ UnitSlopes::UnitSlopes(const SlopeDistribution& d, const Workers& workers)
   log_q_ = make_curve(log_q, ends, options, workers);
   log_m_ = make_curve([&](double a) { return std::log(moment(std::sinh(a)).value); }, ends, options,
                       workers);
+
+  require_range(*this);
 
   for (std::size_t k = 0; k < kErrorPlaces; ++k) {
     const auto e = at(ends.back() * static_cast<double>(k) / kErrorPlaces);

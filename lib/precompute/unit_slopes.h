@@ -26,14 +26,18 @@ inline constexpr double kMixtureCurveError = 1e-10;
 /// along which a power tail is continued.
 inline constexpr double kContinuationError = 2e-11;
 
-/// Ends of the segments of the curves of a distribution in asinh(slope / mean_slope): 0, its
-/// breaks, and `end` unless it is bounded.
+/// Where the segment of a pole ends, in asinh(slope / mean_slope). Nodes crowd at the beginning of
+/// a segment in proportion to its length: among n of them a pole is followed from 0.01 / n^2 on.
+inline constexpr double kPoleSegment = 0.01;
+
+/// Ends of the segments of the curves of a distribution in asinh(slope / mean_slope): 0, that of a
+/// pole there, its breaks, and `end` unless it is bounded.
 std::vector<double> segment_ends(const SlopeDistribution& d, double mean_slope, double end);
 
 class UnitSlopes {
  public:
   /// Integrates `d`, which must outlive this object. Throws std::domain_error as slope_mass() and
-  /// mean_slope() do.
+  /// mean_slope() do, and where slopes that matter are above 5e303.
   UnitSlopes(const SlopeDistribution& d, const Workers& workers);
 
   const SlopeDistribution& distribution() const { return *distribution_; }

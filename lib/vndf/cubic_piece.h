@@ -41,12 +41,18 @@ struct CubicPiece {
 /// (Fritsch and Carlson 1980).
 inline constexpr double kSteepest = 3;
 
-/// The cubic through values `v0` and `v1` with derivatives `t0` and `t1` at f = 0 and 1.
+/// A value and its derivative per node spacing, where two pieces meet.
 template <class T>
-CubicPiece<T> hermite_piece(T v0, T t0, T v1, T t1) {
-  const T secant = v1 - v0;
-  const T c3 = t0 + t1 - T(2) * secant;
-  return {v0, t0, secant - t0 - c3, c3};
+struct CubicNode {
+  T value, tangent;
+};
+
+/// The cubic between two nodes.
+template <class T>
+CubicPiece<T> hermite_piece(const CubicNode<T>& left, const CubicNode<T>& right) {
+  const T secant = right.value - left.value;
+  const T c3 = left.tangent + right.tangent - T(2) * secant;
+  return {left.value, left.tangent, secant - left.tangent - c3, c3};
 }
 
 }  // namespace vndf

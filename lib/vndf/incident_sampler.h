@@ -105,7 +105,7 @@ class IncidentSampler {
 
   /// The monotone cubic in the cell `c` of the blend of the rows from `row` on.
   template <class V>
-  T along(const TableNode<V>* row, const Cell<T>& c) const {
+  T along(const CubicNode<V>* row, const Cell<T>& c) const {
     const std::size_t stride = sampler_->tables().marginal.columns();
     const WeightedRows<T>& rows = incident_.rows;
     Four<T> nodes{};

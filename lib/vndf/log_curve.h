@@ -16,12 +16,6 @@
 
 namespace vndf {
 
-/// Logarithm of the function at a node and its derivative per node spacing.
-template <class T>
-struct LogCurveNode {
-  T value, tangent;
-};
-
 /// How t follows z = (a - begin) / (end - begin), both in [0, 1].
 enum class Grading : int {
   none = 0,  ///< t = z
@@ -57,7 +51,7 @@ template <class T>
 struct LogCurveSegment {
   T begin, end;  ///< asinh(slope)
   Grading grading;
-  std::vector<LogCurveNode<T>> nodes;  ///< at least two
+  std::vector<CubicNode<T>> nodes;  ///< of the logarithm of the function; at least two
 };
 
 template <class T>
@@ -143,8 +137,7 @@ class LogCurve {
   }
 
   static CubicPiece<T> piece_at(const LogCurveSegment<T>& s, const Place& p) {
-    const LogCurveNode<T>&l = s.nodes[p.index], &r = s.nodes[p.index + 1];
-    return hermite_piece(l.value, l.tangent, r.value, r.tangent);
+    return hermite_piece(s.nodes[p.index], s.nodes[p.index + 1]);
   }
 
   std::vector<LogCurveSegment<T>> segments_;

@@ -13,22 +13,17 @@
 
 namespace vndf {
 
-/// Value of the map at a node and its derivative per node spacing, both >= 0; the derivative is at
-/// most kSteepest times the rise to either neighbour, which is enough for the map to increase.
-struct MonotoneNode {
-  double value, tangent;
-};
-
 template <class T>
 class MonotoneMap {
  public:
   /// The identity.
   MonotoneMap() = default;
-  /// At least two nodes, whose values begin at 0 and never decrease; or none: the identity.
-  explicit MonotoneMap(const std::vector<MonotoneNode>& nodes) {
+  /// At least two nodes, or none: the identity. Values begin at 0 and never decrease; tangents are
+  /// >= 0 and at most kSteepest times the rise to either neighbour, which is enough for the map to
+  /// increase.
+  explicit MonotoneMap(const std::vector<CubicNode<double>>& nodes) {
     for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
-      const MonotoneNode &l = nodes[k], &r = nodes[k + 1];
-      const auto piece = hermite_piece(l.value, l.tangent, r.value, r.tangent);
+      const auto piece = hermite_piece(nodes[k], nodes[k + 1]);
       pieces_.push_back({static_cast<T>(piece.c0), static_cast<T>(piece.c1),
                          static_cast<T>(piece.c2), static_cast<T>(piece.c3)});
     }

@@ -13,7 +13,7 @@ using Broken = std::optional<std::string>;
 
 /// The rule that value j of a row breaks, or nothing.
 template <class V>
-const char* broken_rule(const TableNode<V>* row, std::size_t j) {
+const char* broken_rule(const CubicNode<V>* row, std::size_t j) {
   const V w = row[j].value;
   if (!std::isfinite(w)) return " is not a finite number";
   if (w < 0 || w > 1) return " is outside [0, 1]";
@@ -23,7 +23,7 @@ const char* broken_rule(const TableNode<V>* row, std::size_t j) {
 }
 
 template <class V>
-Broken check_row(const TableNode<V>* row, std::size_t columns) {
+Broken check_row(const CubicNode<V>* row, std::size_t columns) {
   for (std::size_t j = 0; j < columns; ++j)
     if (const char* rule = broken_rule(row, j)) return "column " + std::to_string(j) + rule;
   return {};
@@ -52,12 +52,12 @@ Broken check_axis(const std::vector<RowKnot>& knots, const std::string& name) {
   return {};
 }
 
-Broken check_map(const std::vector<MonotoneNode>& nodes, const std::string& name) {
+Broken check_map(const std::vector<CubicNode<double>>& nodes, const std::string& name) {
   if (nodes.empty()) return {};
   if (nodes.size() < 2 || nodes.front().value != 0)
     return name + " map: fewer than two nodes, or the first value is not 0";
   for (std::size_t k = 0; k < nodes.size(); ++k) {
-    const MonotoneNode& n = nodes[k];
+    const CubicNode<double>& n = nodes[k];
     const bool inside = n.value >= 0 && n.value <= 1 && n.tangent >= 0;
     if (!inside || (k > 0 && n.value < nodes[k - 1].value))
       return name + " map, node " + std::to_string(k) +

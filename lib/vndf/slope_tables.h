@@ -38,7 +38,7 @@ struct SlopeTables {
   std::vector<RowKnot> marginal_rows = {}, conditional_rows = {};
   /// Nodes of the map from the values of the marginal table to sigma_n(x); none where they are
   /// sigma_n(x) / sigma(c) themselves.
-  std::vector<MonotoneNode> marginal_map = {};
+  std::vector<CubicNode<double>> marginal_map = {};
   /// Distribution of normals at alpha = 1 / mu, D = p22 (1 + r^2)^2, over asinh(r).
   LogCurve<double> log_ndf;
   /// E[(X - c)+] = c Lambda(c): area of back-facing facets seen per unit of sin(theta), over

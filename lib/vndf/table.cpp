@@ -4,30 +4,10 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "vndf/differences.h"
+
 namespace vndf {
 namespace {
-
-/// Derivatives per spacing of the polynomial of fourth order through five equidistant values, at
-/// each of them.
-constexpr double kFivePoints[5][5] = {{-25.0 / 12, 4, -3, 4.0 / 3, -1.0 / 4},
-                                      {-1.0 / 4, -5.0 / 6, 3.0 / 2, -1.0 / 2, 1.0 / 12},
-                                      {1.0 / 12, -2.0 / 3, 0, 2.0 / 3, -1.0 / 12},
-                                      {-1.0 / 12, 1.0 / 2, -3.0 / 2, 5.0 / 6, 1.0 / 4},
-                                      {1.0 / 4, -4.0 / 3, 3, -4, 25.0 / 12}};
-/// The same of the parabola through three.
-constexpr double kThreePoints[3][3] = {
-    {-3.0 / 2, 2, -1.0 / 2}, {-1.0 / 2, 0, 1.0 / 2}, {1.0 / 2, -2, 3.0 / 2}};
-
-/// Derivative at value `i` by the N values nearest to it.
-template <std::size_t N, class T>
-double derivative(const T* values, std::size_t count, std::size_t i,
-                  const double (&stencils)[N][N]) {
-  const std::size_t first = std::min(i - std::min(i, N / 2), count - N);
-  double sum = 0;
-  for (std::size_t k = 0; k < N; ++k)
-    sum += stencils[i - first][k] * static_cast<double>(values[first + k]);
-  return sum;
-}
 
 /// Derivative at value `i` < count - 2 of a row that goes on evenly before its first value.
 template <class T>
@@ -50,30 +30,31 @@ double steepest(const T* values, std::size_t count, std::size_t i) {
 }  // namespace
 
 template <class T>
-std::vector<TableNode<T>> nodes_of_row(const T* values, std::size_t count, Tangents rule) {
+std::vector<CubicNode<T>> nodes_of_row(const T* values, std::size_t count, Tangents rule) {
   const bool three = rule == Tangents::three_points || count < 5;
   // Values like t^2 begin with differences of 1 to 3. A larger first one is a jump, as of a ring,
   // whose slopes y begin beyond its hole.
   const bool even =
       rule == Tangents::five_points_even && values[1] - values[0] <= values[2] - values[1];
+  const auto at = [values](std::size_t k) { return values[k]; };
   const auto tangent = [&](std::size_t i) {
     const double most = steepest(values, count, i);
     const auto allowed = [most](double t) { return t >= 0 && t <= most; };
     if (!three) {
       const double t =
-          even && i < 2 ? even_derivative(values, i) : derivative(values, count, i, kFivePoints);
+          even && i < 2 ? even_derivative(values, i) : derivative(kFivePoints, at, count, i);
       if (allowed(t)) return t;  // a quartic across a jump turns back; the parabola does not
     }
-    return std::max(0.0, std::min(derivative(values, count, i, kThreePoints), most));
+    return std::max(0.0, std::min(derivative(kThreePoints, at, count, i), most));
   };
-  std::vector<TableNode<T>> nodes;
+  std::vector<CubicNode<T>> nodes;
   nodes.reserve(count);
   for (std::size_t i = 0; i < count; ++i) nodes.push_back({values[i], static_cast<T>(tangent(i))});
   return nodes;
 }
 
-template std::vector<TableNode<float>> nodes_of_row(const float*, std::size_t, Tangents);
-template std::vector<TableNode<double>> nodes_of_row(const double*, std::size_t, Tangents);
+template std::vector<CubicNode<float>> nodes_of_row(const float*, std::size_t, Tangents);
+template std::vector<CubicNode<double>> nodes_of_row(const double*, std::size_t, Tangents);
 
 QuantileTable::QuantileTable(std::size_t rows, std::size_t columns,
                              const std::vector<float>& values, RowBlend blend, Tangents tangents)
@@ -93,12 +74,12 @@ QuantileTable QuantileTable::with_double_values(std::size_t rows, std::size_t co
 }
 
 template <class V>
-std::vector<TableNode<V>> QuantileTable::nodes_of(const std::vector<V>& values) const {
+std::vector<CubicNode<V>> QuantileTable::nodes_of(const std::vector<V>& values) const {
   const bool too_few = rows_ == 0 || (blend_ == RowBlend::cubic && rows_ > 1 && rows_ < 4);
   if (too_few || columns_ < 3 || values.size() / columns_ != rows_ || values.size() % columns_ != 0)
     throw std::invalid_argument(
         "a quantile table needs 1 row, or 2 and 4 for a cubic blend, or more, of 3 values or more");
-  std::vector<TableNode<V>> result;
+  std::vector<CubicNode<V>> result;
   result.reserve(values.size());
   for (std::size_t i = 0; i < rows_; ++i) {
     const auto row = nodes_of_row(values.data() + i * columns_, columns_, tangents_);

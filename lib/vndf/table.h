@@ -32,20 +32,14 @@ Cell<T> cell_of(T coordinate, int nodes) {
   return {index, scaled - static_cast<T>(index)};
 }
 
-/// A value of a row and its derivative per node spacing, >= 0.
-template <class T>
-struct TableNode {
-  T value, tangent;
-};
-
 /// Four numbers that are worked on side by side.
 template <class T>
 using Four = std::array<T, 4>;
 
 /// A node and the one after it.
 template <class T, class V>
-Four<T> two_nodes(const TableNode<V>* left) {
-  const TableNode<V>& right = left[1];
+Four<T> two_nodes(const CubicNode<V>* left) {
+  const CubicNode<V>& right = left[1];
   return {static_cast<T>(left->value), static_cast<T>(left->tangent), static_cast<T>(right.value),
           static_cast<T>(right.tangent)};
 }
@@ -53,7 +47,7 @@ Four<T> two_nodes(const TableNode<V>* left) {
 /// The cubic between two nodes, (value, tangent) of the left one, then of the right one.
 template <class T>
 CubicPiece<T> hermite_piece(const Four<T>& nodes) {
-  return hermite_piece(nodes[0], nodes[1], nodes[2], nodes[3]);
+  return hermite_piece<T>({nodes[0], nodes[1]}, {nodes[2], nodes[3]});
 }
 
 /// Two nodes that are a cubic blend of rows, with tangents that keep the piece between them
@@ -106,11 +100,11 @@ enum class Tangents {
                     ///< conditionals
 };
 
-/// The nodes of a row of `count` >= 3 values that increase. Tangents are at most three times the
-/// difference to either neighbour: that is enough for monotonicity, between rows too that are
-/// blended linearly, and inactive where the values are smooth on the scale of the nodes.
+/// The nodes of a row of `count` >= 3 values that increase. Tangents are >= 0 and at most three
+/// times the difference to either neighbour: that is enough for monotonicity, between rows too that
+/// are blended linearly, and inactive where the values are smooth on the scale of the nodes.
 template <class T>
-std::vector<TableNode<T>> nodes_of_row(const T* values, std::size_t count, Tangents rule);
+std::vector<CubicNode<T>> nodes_of_row(const T* values, std::size_t count, Tangents rule);
 
 /// Immutable quantile table, in single or double precision. A table of one row does not depend on
 /// the row coordinate.
@@ -137,7 +131,7 @@ class QuantileTable {
   bool in_double() const { return !double_.empty(); }
   /// The nodes of row `i`, `columns()` of them; in double precision only if in_double().
   template <class T = float>
-  const TableNode<T>* row(std::size_t i) const {
+  const CubicNode<T>* row(std::size_t i) const {
     return nodes<T>().data() + i * columns_;
   }
   /// The values of row `i` alone.
@@ -185,7 +179,7 @@ class QuantileTable {
 
  private:
   template <class V>
-  const std::vector<TableNode<V>>& nodes() const {
+  const std::vector<CubicNode<V>>& nodes() const {
     if constexpr (std::is_same_v<V, float>)
       return single_;
     else
@@ -193,7 +187,7 @@ class QuantileTable {
   }
 
   template <class V>
-  std::vector<TableNode<V>> nodes_of(const std::vector<V>& values) const;
+  std::vector<CubicNode<V>> nodes_of(const std::vector<V>& values) const;
 
   /// The cubic between columns `index` and `index` + 1 of the blended row, in the precision meant
   /// for T. The nodes are blended, not what becomes of them: one cubic instead of several.
@@ -205,16 +199,16 @@ class QuantileTable {
   }
 
   template <class V, class T>
-  CubicPiece<T> blended(const TableNode<V>* left, T row_coordinate) const {
+  CubicPiece<T> blended(const CubicNode<V>* left, T row_coordinate) const {
     if (node_rows_ == 1) return hermite_piece(two_nodes<T>(left));
     return blend_ == RowBlend::cubic ? blended_cubic(left, row_coordinate)
                                      : hermite_piece(blended_linear(left, row_coordinate));
   }
 
   template <class V, class T>
-  Four<T> blended_linear(const TableNode<V>* left, T row_coordinate) const {
+  Four<T> blended_linear(const CubicNode<V>* left, T row_coordinate) const {
     const Cell<T> r = cell_of(row_coordinate, node_rows_);
-    const TableNode<V>* row = left + r.index * stride_;
+    const CubicNode<V>* row = left + r.index * stride_;
     const Four<T> a = two_nodes<T>(row), b = two_nodes<T>(row + stride_);
     Four<T> w;
     for (std::size_t k = 0; k < 4; ++k) w[k] = a[k] + r.fraction * (b[k] - a[k]);
@@ -222,9 +216,9 @@ class QuantileTable {
   }
 
   template <class V, class T>
-  CubicPiece<T> blended_cubic(const TableNode<V>* left, T row_coordinate) const {
+  CubicPiece<T> blended_cubic(const CubicNode<V>* left, T row_coordinate) const {
     const RowWeights<T> r = lagrange_rows(row_coordinate, node_rows_);
-    const TableNode<V>* row = left + r.first * stride_;
+    const CubicNode<V>* row = left + r.first * stride_;
     const Four<T> a = two_nodes<T>(row), b = two_nodes<T>(row + stride_),
                   c = two_nodes<T>(row + 2 * stride_), d = two_nodes<T>(row + 3 * stride_);
     const auto& [la, lb, lc, ld] = r.weights;
@@ -239,8 +233,8 @@ class QuantileTable {
   std::ptrdiff_t stride_ = static_cast<std::ptrdiff_t>(columns_);
   RowBlend blend_ = RowBlend::linear;
   Tangents tangents_ = Tangents::five_points;
-  std::vector<TableNode<float>> single_;
-  std::vector<TableNode<double>> double_;
+  std::vector<CubicNode<float>> single_;
+  std::vector<CubicNode<double>> double_;
 };
 
 }  // namespace vndf

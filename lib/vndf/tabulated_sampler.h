@@ -118,11 +118,9 @@ class TabulatedSampler {
     const T hx = wm.x / a.x, hy = wm.y / a.y;
     const T horizontal = hx * hx + hy * hy;
     const T square = horizontal + wm.z * wm.z;
-    // The quotient of a nearly horizontal normal may leave the range of T; D itself does not.
-    const T quotient =
-        std::min((std::sqrt(horizontal) + std::sqrt(square)) / wm.z, std::numeric_limits<T>::max());
-    const T asinh_slope = std::log(quotient);
-    return log_ndf_.at(asinh_slope) / (a.x * a.y * square * square);
+    // The slope of a nearly horizontal normal may leave the range of T; D itself does not.
+    const T slope = std::min(std::sqrt(horizontal) / wm.z, std::numeric_limits<T>::max());
+    return log_ndf_.at(std::asinh(slope)) / (a.x * a.y * square * square);
   }
 
   /// Smith's Lambda(w) of the direction or its mirror below the horizon; infinite at the horizon.
@@ -234,8 +232,7 @@ class TabulatedSampler {
     const Alpha<T> a = normalized(alpha);
     const T horizontal = azimuth(a.x * w.x, a.y * w.y).length;
     if (horizontal == T(0)) return T(0);
-    const T length = std::sqrt(horizontal * horizontal + w.z * w.z);
-    return horizontal * log_backfacing_.at(std::log((w.z + length) / horizontal));
+    return horizontal * log_backfacing_.at(std::asinh(w.z / horizontal));
   }
 
   std::shared_ptr<const SlopeTables> tables_;

@@ -1,0 +1,36 @@
+// Derivatives from equidistant values, by the polynomial through the nearest of them: what the
+// tangents of tables and curves are made of.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace vndf {
+
+/// Row i: weights of N values for the derivative, per spacing, at the i-th of them.
+template <std::size_t N>
+using Stencils = std::array<std::array<double, N>, N>;
+
+/// Of the parabola: error (f''' / 3) h^2 inside.
+inline constexpr Stencils<3> kThreePoints{
+    {{-3.0 / 2, 2, -1.0 / 2}, {-1.0 / 2, 0, 1.0 / 2}, {1.0 / 2, -2, 3.0 / 2}}};
+/// Of the quartic: error (f^(5) / 30) h^4 inside.
+inline constexpr Stencils<5> kFivePoints{{{-25.0 / 12, 4, -3, 4.0 / 3, -1.0 / 4},
+                                          {-1.0 / 4, -5.0 / 6, 3.0 / 2, -1.0 / 2, 1.0 / 12},
+                                          {1.0 / 12, -2.0 / 3, 0, 2.0 / 3, -1.0 / 12},
+                                          {-1.0 / 12, 1.0 / 2, -3.0 / 2, 5.0 / 6, 1.0 / 4},
+                                          {1.0 / 4, -4.0 / 3, 3, -4, 25.0 / 12}}};
+
+/// Derivative, per spacing, at place `i` of `count` >= N values `at(0)`, `at(1)`, ... by the N of
+/// them nearest to it.
+template <std::size_t N, class Values>
+double derivative(const Stencils<N>& stencils, Values at, std::size_t count, std::size_t i) {
+  const std::size_t first = std::min(i - std::min(i, N / 2), count - N);
+  double sum = 0;
+  for (std::size_t k = 0; k < N; ++k)
+    sum += stencils[i - first][k] * static_cast<double>(at(first + k));
+  return sum;
+}
+
+}  // namespace vndf
