@@ -132,3 +132,14 @@ TEST_CASE("a distribution that the simple coordinates fit has no map") {
   CHECK(large_tables("ggx").tables->marginal_map.empty());
   CHECK(large_tables("beckmann").tables->marginal_map.empty());
 }
+
+TEST_CASE("the last row of a ring is the limit at its rim") {
+  // Beyond its inner radius a ring is uniform along y: |y| / scale is the probability itself.
+  const QuantileTable& table = small_tables("annulus:inner=0.95").tables->conditional;
+  const auto* row = table.row(table.rows() - 1);
+  for (std::size_t j = 0; j < table.columns(); ++j) {
+    const double t = static_cast<double>(j) / static_cast<double>(table.columns() - 1);
+    const double exact = conditional_value(bounded_from_slope(conditional_column_inverse(t).u));
+    CHECK(std::abs(double{row[j].value} - exact) <= 1e-7);
+  }
+}

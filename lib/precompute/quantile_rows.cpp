@@ -11,9 +11,11 @@
 namespace vndf::precompute {
 namespace {
 
-// The last row of the conditional table stands for |x| = infinity; there all limits are reached to
-// one part in 1e16.
+// The last row of the conditional table stands for |x| = infinity, where at this slope all limits
+// are reached to one part in 1e16, or for the largest slope R, where at this part of it they are to
+// 1e-8; nearer to it r = sqrt(x^2 + y^2) would be rounded beyond R.
 constexpr double kLargestSlope = 1e8;
+constexpr double kInsideSupport = 1 - 1e-8;
 // A tail M ~ x^-kappa is stored at an order n with n kappa at least this: values then go to 0 no
 // faster than the fifth power of the column.
 constexpr double kSlowestDecay = 0.3;
@@ -44,7 +46,8 @@ std::vector<double> marginal_values(const UnitSlopes& slopes, const MarginalCodi
 /// Empty where no sample can land.
 std::vector<double> conditional_values(const UnitSlopes& slopes, const ConditionalCoding& coding,
                                        double base, const Probabilities& p) {
-  const double x = std::min(conditional_base_inverse(base, coding.unit), kLargestSlope);
+  const double largest = std::min(kLargestSlope, slopes.support() * kInsideSupport);
+  const double x = std::min(conditional_base_inverse(base, coding.unit), largest);
   if (!ConditionalSlopes::reachable(slopes, x)) return {};
   const ConditionalSlopes conditional(slopes, x, coding.scale);
   std::vector<double> values;
