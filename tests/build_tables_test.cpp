@@ -77,6 +77,18 @@ TEST_CASE("rows of a light tail end where no sample lands") {
   CHECK(small_tables("student-t:gamma=3").tables->conditional_rows.empty());
 }
 
+TEST_CASE("D goes on falling beyond its curve, however steep the tail") {
+  for (const std::string name : {"blinn-phong:n=50", "student-t:gamma=20", "student-t:gamma=60"}) {
+    const auto& ndf = small_tables(name).tables->log_ndf;
+    const auto& last = ndf.segments().back();
+    const double gamma =
+        name == "blinn-phong:n=50" ? 27 : std::stod(name.substr(name.find('=') + 1));
+    CAPTURE(name, last.end);
+    // p22 ~ r^(-2 gamma) there, and D ~ p22 r^4; asinh(r) is log(2 r).
+    CHECK(ndf.log_slope_at(2 * last.end) == Approx(4 - 2 * gamma).epsilon(1e-4));
+  }
+}
+
 TEST_CASE("a density at another scale gives the same tables, and its mass is reported") {
   class Scaled final : public SlopeDistribution {
    public:

@@ -18,9 +18,10 @@ namespace {
 
 constexpr std::size_t kLargestSize = 8192;
 constexpr std::size_t kCurveNodes = 2048;
-// The curves end where the function is lost in double precision or, for a power tail, where it has
-// been a straight line for long.
-constexpr double kSmallestCurveValue = 1e-300;
+// The curves end where the function is nearly lost in double precision or, for a power tail, where
+// it has been a straight line for long. Of D = p22 (1 + r^2)^2 >= 1e-250 the factor p22 keeps all
+// its digits to the farthest place, and so do the tangents that continue the curve.
+constexpr double kSmallestCurveValue = 1e-250;
 constexpr double kFarthestCurve = 20;
 // A marginal table with a larger fault than this is made again with a map, and the better one kept.
 constexpr double kGoodFault = 3e-6;

@@ -31,7 +31,7 @@ struct Bounds {
   /// Density of the map against the pdf, relative, by finite differences in double precision.
   double density_error = 1e-3;
   /// pdf, D (relative), Lambda (of 1 + Lambda) and G1 (relative), and all integrals of them. The
-  /// largest rounding is that of D of Beckmann at its rim, 3e-5.
+  /// largest rounding is that of D of Beckmann at its rim, 4.1e-5.
   double function_error = 1e-4;
   /// What the law of the normals may differ from the exact one: nothing, for a sampler without
   /// tables.
