@@ -21,6 +21,7 @@
 
 #include "batch/blocks.h"
 #include "batch/vectors-inl.h"
+#include "vndf/cubic_piece.h"
 #include "vndf/row_axis.h"
 #include "vndf/table.h"
 
@@ -207,7 +208,7 @@ HWY_INLINE V value(const QuantileTable& table, V row_fraction, const Places& pla
                     hn::Mul(hn::Mul(low, x2), set(1.0f / 6))};
   auto [v0, t0, v1, t1] = weighted_fours<4>(values, stride, begin, weights);
   // vndf::with_limited_tangents
-  const V most = hn::Mul(set(3.0f), hn::Sub(v1, v0));
+  const V most = hn::Mul(set(static_cast<float>(kSteepest)), hn::Sub(v1, v0));
   t0 = hn::Max(hn::Min(t0, most), hn::Zero(d));
   t1 = hn::Max(hn::Min(t1, most), hn::Zero(d));
   return clamped(hermite(v0, t0, v1, t1, fraction));

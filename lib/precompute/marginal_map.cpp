@@ -9,6 +9,7 @@
 
 #include "precompute/bracketed_newton.h"
 #include "precompute/visible_slopes.h"
+#include "vndf/differences.h"
 #include "vndf/table_coordinates.h"
 
 namespace vndf::precompute {
@@ -109,12 +110,9 @@ void set_end_tangents(std::vector<CubicNode<double>>& nodes) {
 
 /// Limits the tangents to what keeps the map increasing.
 void limit_tangents(std::vector<CubicNode<double>>& nodes) {
-  const std::size_t last = nodes.size() - 1;
-  const auto rise = [&](std::size_t k) { return nodes[k + 1].value - nodes[k].value; };
-  for (std::size_t k = 0; k <= last; ++k) {
-    const double least = std::min(rise(k > 0 ? k - 1 : 0), rise(std::min(k, last - 1)));
-    nodes[k].tangent = std::clamp(nodes[k].tangent, 0.0, kSteepest * least);
-  }
+  const auto value = [&](std::size_t k) { return nodes[k].value; };
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    nodes[k].tangent = std::clamp(nodes[k].tangent, 0.0, steepest_tangent(value, nodes.size(), k));
 }
 
 }  // namespace

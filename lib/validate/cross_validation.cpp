@@ -37,14 +37,13 @@ double difference(const Uniforms& a, const Uniforms& b) {
 
 /// What an error of 1 in u1 and one in u2 together make of the uniforms, at least 1. A radius can
 /// move by many times the error of its slope x, where less mass lies beyond that slope than beyond
-/// the radius. By differences over `step` towards the middle.
+/// the radius. By differences from `here`, the uniforms at `u`, over `step` towards the middle.
 double condition_number(const Subject& subject, const Configuration& c, const ExactLaw& law,
-                        const Pair& u, double step) {
+                        const Pair& u, const Uniforms& here, double step) {
   const auto uniforms = [&](double u1, double u2) {
     return law.uniforms(exact_normal(*subject.law, c, u1, u2), 0);
   };
   const auto moved = [&](double p) { return p < 0.5 ? p + step : p - step; };
-  const Uniforms here = uniforms(u.x, u.y);
   const double made =
       difference(here, uniforms(moved(u.x), u.y)) + difference(here, uniforms(u.x, moved(u.y)));
   return std::max(1.0, made / step);
@@ -60,8 +59,9 @@ Difference compare(const Subject& subject, const Configuration& c, std::size_t p
     const Vec3<double> given = subject.sample_one(c, u.x, u.y);
     if (given.z < kSmallestHeight || exact.z < kSmallestHeight) continue;
     const Place place = place_of(c, u.x, u.y);
-    const double moved = difference(law.uniforms(exact, 0), law.uniforms(given, 0));
-    worst.u.see(moved / condition_number(subject, c, law, u, step), place);
+    const Uniforms here = law.uniforms(exact, 0);
+    const double moved = difference(here, law.uniforms(given, 0));
+    worst.u.see(moved / condition_number(subject, c, law, u, here, step), place);
     worst.angle.see(angle_between(exact, given), place);
   }
   return worst;

@@ -1,10 +1,12 @@
-// Derivatives from equidistant values, by the polynomial through the nearest of them: what the
-// tangents of tables and curves are made of.
+// Derivatives from equidistant values, by the polynomial through the nearest of them, and how steep
+// they may be: what the tangents of tables, maps and curves are made of.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+
+#include "vndf/cubic_piece.h"
 
 namespace vndf {
 
@@ -31,6 +33,16 @@ double derivative(const Stencils<N>& stencils, Values at, std::size_t count, std
   for (std::size_t k = 0; k < N; ++k)
     sum += stencils[i - first][k] * static_cast<double>(at(first + k));
   return sum;
+}
+
+/// The largest tangent at place `i` of `count` >= 2 increasing values with which cubics between
+/// them increase: kSteepest times the smaller rise to a neighbour.
+template <class Values>
+double steepest_tangent(Values at, std::size_t count, std::size_t i) {
+  const auto rise = [&](std::size_t k) {
+    return static_cast<double>(at(k + 1)) - static_cast<double>(at(k));
+  };
+  return kSteepest * std::min(rise(i > 0 ? i - 1 : 0), rise(std::min(i, count - 2)));
 }
 
 }  // namespace vndf

@@ -18,15 +18,6 @@ double even_derivative(const T* values, std::size_t i) {
   return (8 * difference(1) - difference(2)) / 12;
 }
 
-/// The largest tangent: kSteepest times the smaller difference to a neighbour.
-template <class T>
-double steepest(const T* values, std::size_t count, std::size_t i) {
-  const auto difference = [&](std::size_t k) {
-    return static_cast<double>(values[k + 1]) - static_cast<double>(values[k]);
-  };
-  return kSteepest * std::min(difference(i > 0 ? i - 1 : 0), difference(std::min(i, count - 2)));
-}
-
 }  // namespace
 
 template <class T>
@@ -38,7 +29,7 @@ std::vector<CubicNode<T>> nodes_of_row(const T* values, std::size_t count, Tange
       rule == Tangents::five_points_even && values[1] - values[0] <= values[2] - values[1];
   const auto at = [values](std::size_t k) { return values[k]; };
   const auto tangent = [&](std::size_t i) {
-    const double most = steepest(values, count, i);
+    const double most = steepest_tangent(at, count, i);
     const auto allowed = [most](double t) { return t >= 0 && t <= most; };
     if (!three) {
       const double t =
