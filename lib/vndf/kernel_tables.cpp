@@ -1,0 +1,333 @@
+// Reading and checking the block of a kernel.
+#include "vndf/kernel_tables.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <new>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace vndf {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "blocks are read as they lie in files");
+
+constexpr std::size_t kChecksumBegin = offsetof(KernelHeader, checksum);
+constexpr std::size_t kPatchBytes = 64, kCubicBytes = 16, kGuideBytes = 8;
+constexpr std::size_t kMostBytes = 1u << 30;
+
+[[noreturn]] void fail(const std::string& rule) {
+  throw KernelTablesError(rule + "; bake the tables again");
+}
+
+void require(bool holds, const char* rule) {
+  if (!holds) fail(rule);
+}
+
+/// A block that is not trusted yet.
+class Checker {
+ public:
+  explicit Checker(std::span<const std::byte> bytes) : bytes_(bytes) {}
+
+  void check() const {
+    check_frame();
+    check_numbers();
+    check_sampling();
+    check_curve(header().ndf);
+    check_curve(header().backfacing);
+  }
+
+  const KernelHeader& header() const {
+    return *reinterpret_cast<const KernelHeader*>(bytes_.data());
+  }
+
+ private:
+  void check_frame() const {
+    require(bytes_.size() >= sizeof(KernelHeader), "shorter than the header of baked tables");
+    require(reinterpret_cast<std::uintptr_t>(bytes_.data()) % kKernelAlignment == 0,
+            "baked tables must begin at a multiple of 64 bytes");
+    const KernelHeader& h = header();
+    require(std::string_view(h.magic, 8) == kKernelMagic, "not a file of baked tables");
+    if (h.version != kKernelVersion)
+      fail("baked tables of version " + std::to_string(h.version) + ", this program reads " +
+           std::to_string(kKernelVersion));
+    require(h.header_bytes == sizeof(KernelHeader), "a header of another size");
+    require(h.bytes == bytes_.size() && h.bytes <= kMostBytes,
+            "the bytes are fewer or more than the header says");
+    require(h.checksum == kernel_checksum(bytes_),
+            "the checksum does not match: bytes were changed");
+    require(h.text <= bytes_.size() && h.text_bytes <= bytes_.size() - h.text &&
+                (h.text_bytes == 0 || bytes_[h.text + h.text_bytes - 1] == std::byte{0}),
+            "texts are outside the block");
+  }
+
+  void check_numbers() const {
+    const KernelHeader& h = header();
+    const auto positive = [](float x) { return x > 0 && std::isfinite(x); };
+    require(positive(h.unit), "the unit of slopes is not a finite number > 0");
+    require(h.scale_root >= 0 && h.scale_constant >= 0 && h.rim >= 0 &&
+                std::isfinite(h.scale_root + h.scale_constant + h.rim) &&
+                h.scale_root + h.scale_constant + h.rim > 0,
+            "the scale of slope y is not a finite number > 0");
+    require(h.least_root > 0 && h.least_root < h.most_root && h.most_root < 1,
+            "the bounds of the root of sigma are not inside (0, 1)");
+    require(positive(h.direction_offset) && positive(h.slope_offset) && h.direction_offset < 1 &&
+                h.slope_offset < 1,
+            "the offset of an axis is not inside (0, 1)");
+    require(h.column_roots <= 1 && h.separable <= 1, "a choice that is neither 0 nor 1");
+    require(h.column_roots == 0 || (h.column_offset > 0 && h.column_offset < 1),
+            "the offset of the columns is not inside (0, 1)");
+  }
+
+  void check_sampling() const {
+    const KernelHeader& h = header();
+    const float low = h.column_roots != 0 ? h.column_offset : kernel::kVndfLeastU;
+    const float high = h.column_roots != 0 ? 1 + h.column_offset : 0.5f;
+    const std::uint32_t upper = h.column_upper - kernel::kVndfSign;
+    require(h.column_upper >= kernel::kVndfSign && (upper & 0x7fffff) == 0 && upper >= 0x800000 &&
+                upper <= 0x20000000,
+            "the halves of u1 are not a power of two apart");
+    require_keys(h.direction, key(h.direction_offset, h.direction),
+                 key(1 + h.direction_offset, h.direction));
+    require_keys(h.marginal, key(low, h.marginal), key(high, h.marginal));
+    require_keys(h.marginal,
+                 key(std::bit_cast<float>(std::bit_cast<std::uint32_t>(low) + upper), h.marginal),
+                 key(std::bit_cast<float>(std::bit_cast<std::uint32_t>(high) + upper), h.marginal));
+    require_keys(h.conditional, key(low, h.conditional), key(high, h.conditional));
+    require(h.marginal.shift == h.conditional.shift, "the columns of the tables differ in shift");
+    const std::size_t patch = h.separable != 0 ? kCubicBytes : kPatchBytes;
+    std::size_t row = 0;
+    if (h.separable == 0) {
+      require_keys(h.slope, key(h.slope_offset, h.slope), key(0.5f + h.slope_offset, h.slope));
+      row = largest_offset(h.slope);
+    }
+    require_inside(largest_offset(h.marginal) + largest_offset(h.direction) + kPatchBytes);
+    require_inside(largest_offset(h.conditional) + row + patch);
+  }
+
+  void check_curve(const kernel::VndfCurve& curve) const {
+    require(curve.count >= 1 && curve.count <= 4096 && curve.segments % 16 == 0,
+            "a curve has no segments");
+    require_inside(curve.segments + std::size_t{curve.count} * sizeof(KernelSegment));
+    float end = 0;
+    for (std::uint32_t k = 0; k < curve.count; ++k) {
+      KernelSegment s;
+      std::memcpy(&s, bytes_.data() + curve.segments + k * sizeof s, sizeof s);
+      require(
+          s.begin >= end && s.end > s.begin && std::isfinite(s.end) && s.offset > 0 && s.offset < 1,
+          "a segment of a curve has no length");
+      end = s.end;
+      const KernelAxis axis{s.guide + (s.first_key << 3), s.first_key, s.count, s.shift};
+      require_keys(axis, key(s.offset, axis), key((s.end - s.begin) + s.offset, axis));
+      require_inside(largest_offset(axis) + kCubicBytes);
+    }
+  }
+
+  static std::uint32_t key(float place, const KernelAxis& axis) {
+    require(axis.shift < 32, "an axis is shifted by more than a number has bits");
+    return std::bit_cast<std::uint32_t>(place) >> axis.shift;
+  }
+
+  void require_keys(const KernelAxis& axis, std::uint32_t first, std::uint32_t last) const {
+    require(axis.guide % kGuideBytes == 0, "a guide is not aligned");
+    require(first <= last && first >= axis.first_key && axis.count <= kMostBytes &&
+                last - axis.first_key < axis.count,
+            "a guide does not cover its axis");
+    require_inside(axis.guide + axis.count * kGuideBytes);
+  }
+
+  /// Of the entries of a guide that is inside the block.
+  std::size_t largest_offset(const KernelAxis& axis) const {
+    std::size_t largest = 0;
+    for (std::uint32_t k = 0; k < axis.count; ++k) {
+      kernel::Guide entry;
+      std::memcpy(&entry, bytes_.data() + axis.guide + k * kGuideBytes, sizeof entry);
+      require(std::isfinite(entry.start) && entry.offset % kCubicBytes == 0,
+              "an entry of a guide is no place or not aligned");
+      largest = std::max(largest, std::size_t{entry.offset});
+    }
+    return largest;
+  }
+
+  void require_inside(std::size_t end) const {
+    require(end <= bytes_.size(), "coefficients are outside the block");
+  }
+
+  std::span<const std::byte> bytes_;
+};
+
+struct AlignedDelete {
+  void operator()(const std::byte* p) const {
+    ::operator delete (const_cast<std::byte*>(p), std::align_val_t{kKernelAlignment});
+  }
+};
+
+std::shared_ptr<std::byte> aligned_bytes(std::size_t count) {
+  auto* p = static_cast<std::byte*>(::operator new (count, std::align_val_t{kKernelAlignment}));
+  return {p, AlignedDelete()};
+}
+
+std::string joined(const KernelText& text) {
+  std::string all;
+  for (const std::string* part :
+       {&text.distribution, &text.recipe, &text.program, &text.input_checksum, &text.notes}) {
+    all += part->substr(0, part->find('\0'));
+    all += '\0';
+  }
+  return all;
+}
+
+}  // namespace
+
+std::uint64_t kernel_checksum(std::span<const std::byte> block) {
+  constexpr std::uint64_t kOdd = 0x9E3779B97F4A7C15;
+  constexpr std::size_t kLanes = 4, kWord = sizeof(std::uint64_t);
+  std::array<std::uint64_t, kLanes> lanes{1, 2, 3, 4};
+  const std::size_t words = block.size() / kWord;
+  const auto add = [&](std::size_t k, std::uint64_t word) {
+    const std::uint64_t mixed = (lanes[k % kLanes] ^ word) * kOdd;
+    lanes[k % kLanes] = mixed ^ (mixed >> 29);
+  };
+  const auto word_at = [&](std::size_t k) {
+    std::uint64_t word;
+    std::memcpy(&word, block.data() + k * kWord, kWord);
+    return word;
+  };
+  static_assert(kChecksumBegin % kWord == 0 && kChecksumBegin / kWord < kLanes);
+  for (std::size_t k = 0; k < std::min(words, kLanes); ++k)
+    add(k, k == kChecksumBegin / kWord ? 0 : word_at(k));
+  std::size_t k = kLanes;
+  for (; k + kLanes <= words; k += kLanes)
+    for (std::size_t lane = 0; lane < kLanes; ++lane) add(lane, word_at(k + lane));
+  for (; k < words; ++k) add(k, word_at(k));
+  for (std::size_t i = words * kWord; i < block.size(); ++i)
+    add(i, std::to_integer<std::uint64_t>(block[i]));
+  std::uint64_t sum = block.size();
+  for (const std::uint64_t lane : lanes) sum = (sum ^ lane) * kOdd;
+  return sum ^ (sum >> 32);
+}
+
+KernelTables KernelTables::view(std::span<const std::byte> bytes) {
+  Checker(bytes).check();
+  return {nullptr, bytes};
+}
+
+KernelTables KernelTables::copy(std::span<const std::byte> bytes) {
+  const auto owner = aligned_bytes(std::max<std::size_t>(bytes.size(), 1));
+  std::copy(bytes.begin(), bytes.end(), owner.get());
+  const std::span<const std::byte> own(owner.get(), bytes.size());
+  Checker(own).check();
+  return {owner, own};
+}
+
+const KernelHeader& KernelTables::header() const {
+  return *reinterpret_cast<const KernelHeader*>(bytes_.data());
+}
+
+Certificate KernelTables::certificate() const {
+  Certificate certificate;
+  std::size_t k = 0;
+  for_each_figure(certificate,
+                  [&](const std::string&, double& figure) { figure = header().certificate[k++]; });
+  return certificate;
+}
+
+KernelText KernelTables::text() const {
+  const char* at = reinterpret_cast<const char*>(bytes_.data()) + header().text;
+  const char* end = at + header().text_bytes;
+  KernelText text;
+  for (std::string* part :
+       {&text.distribution, &text.recipe, &text.program, &text.input_checksum, &text.notes}) {
+    const char* zero = std::find(at, end, '\0');
+    part->assign(at, zero);
+    at = zero == end ? end : zero + 1;
+  }
+  return text;
+}
+
+Kernel KernelTables::kernel() const {
+  const KernelHeader& h = header();
+  const auto guide = [](const KernelAxis& axis) { return axis.guide - (axis.first_key << 3); };
+  kernel::VndfTables t;
+  t.unit = h.unit;
+  t.scale_root = h.scale_root;
+  t.scale_constant = h.scale_constant;
+  t.rim = h.rim;
+  t.least_root = h.least_root;
+  t.most_root = h.most_root;
+  t.direction_offset = h.direction_offset;
+  t.slope_offset = h.slope_offset;
+  t.direction_guide = guide(h.direction);
+  t.direction_shift = h.direction.shift;
+  t.column_shift = h.marginal.shift;
+  t.column_upper = h.column_upper;
+  t.column_roots = h.column_roots;
+  t.column_offset = h.column_offset;
+  t.marginal_guide = guide(h.marginal);
+  t.conditional_guide = guide(h.conditional);
+  t.slope_guide = guide(h.slope);
+  t.slope_shift = h.slope.shift;
+  t.separable = h.separable;
+  t.ndf = h.ndf;
+  t.backfacing = h.backfacing;
+  t.block.bytes = reinterpret_cast<const unsigned char*>(bytes_.data());
+  return Kernel(t);
+}
+
+KernelTables KernelTables::with(const Certificate& certificate, const KernelText& text) const {
+  const std::string texts = joined(text);
+  const std::size_t size = header().text + texts.size();
+  const auto owner = aligned_bytes(size);
+  std::copy_n(bytes_.begin(), header().text, owner.get());
+  std::memcpy(owner.get() + header().text, texts.data(), texts.size());
+  auto* h = reinterpret_cast<KernelHeader*>(owner.get());
+  h->bytes = size;
+  h->text_bytes = static_cast<std::uint32_t>(texts.size());
+  h->certified = 1;
+  std::size_t k = 0;
+  for_each_figure(certificate,
+                  [&](const std::string&, double figure) { h->certificate[k++] = figure; });
+  const std::span<const std::byte> own(owner.get(), size);
+  h->checksum = kernel_checksum(own);
+  return {owner, own};
+}
+
+bool is_kernel_file(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  char magic[8] = {};
+  return file.read(magic, sizeof magic) && std::string_view(magic, 8) == kKernelMagic;
+}
+
+KernelTables load(const std::filesystem::path& path, const LoadOptions& options) {
+  const auto fail_with = [&](const std::string& why) {
+    throw KernelTablesError(path.string() + ": " + why);
+  };
+  std::error_code error;
+  const auto size = std::filesystem::file_size(path, error);
+  if (error) fail_with("cannot be read (" + error.message() + "); give a file of baked tables");
+  if (size > kMostBytes) fail_with("too large for baked tables; give a file of baked tables");
+  std::vector<char> bytes(size);
+  std::ifstream file(path, std::ios::binary);
+  if (!file.read(bytes.data(), static_cast<std::streamsize>(size)))
+    fail_with("cannot be read; give a file of baked tables");
+  try {
+    KernelTables tables = KernelTables::copy(std::as_bytes(std::span(bytes)));
+    const Certificate c = tables.certificate();
+    const double u_error = std::max(c.marginal.max_u_error, c.conditional.max_u_error);
+    if (!(u_error <= options.max_u_error))
+      fail_with("its certificate admits a u-error of " + std::to_string(u_error) + ", above " +
+                std::to_string(options.max_u_error) + "; bake it with a smaller --tolerance");
+    return tables;
+  } catch (const KernelTablesError& e) {
+    const std::string what = e.what();
+    if (what.starts_with(path.string())) throw;
+    fail_with(what);
+  }
+  std::abort();
+}
+
+}  // namespace vndf
