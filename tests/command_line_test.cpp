@@ -126,7 +126,6 @@ TEST_CASE(
   check_failure(folder.run("sample ggx.h5 --wi nan,0,1 --alpha 1"), 2, "finite");
   check_failure(folder.run("sample ggx.h5 --wi 0,0,1 --alpha 1e39"), 2, "--double");
   check_failure(folder.run("sample ggx.h5 --wi 0,0,1 --alpha 1,1e-60"), 2, "--double");
-  check_failure(folder.run("build ggx -o a.h5 --size 16 --tolerance nan"), 2, "'nan'");
   check_failure(folder.run("build ggx -o a.h5 --size 16 --threads 1000000"), 2, "4096");
   check_failure(folder.run("bench --quick --repetitions 2.5"), 2, "'2.5'");
   check_failure(folder.run("experiment variance --distribution ggx --seed x"), 2, "'x'");
@@ -390,14 +389,6 @@ TEST_CASE("tables that err by more than 1e-3 are not written in silence") {
   CHECK(coarse.status == 0);
   CHECK_THAT(coarse.error, contains("warning: the marginal table errs by up to"));
   CHECK(folder.run("build ggx -o a.h5 --size 64").error.empty());
-}
-
-TEST_CASE("tables that miss a tolerance are not written, and by how much is told") {
-  const Folder folder;
-  check_one_line_failure(folder.run("build ggx -o a.h5 --size 16 --tolerance 1e-6"),
-                         "times the tolerance 1e-06");
-  CHECK(folder.files().empty());
-  CHECK(folder.run("build ggx -o a.h5 --size 256 --tolerance 1e-4 --quiet").status == 0);
 }
 
 TEST_CASE("what is wrong with a distribution is told before any work, in one line") {

@@ -7,8 +7,6 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <optional>
-#include <stdexcept>
 #include <string>
 
 #include "arguments.h"
@@ -17,7 +15,6 @@
 #include "io/table_file.h"
 #include "output_file.h"
 #include "precompute/build_tables.h"
-#include "precompute/smallest_tables.h"
 #include "report.h"
 
 namespace vndf::tools {
@@ -29,9 +26,7 @@ struct Size {
 
 struct BuildArguments {
   SourceArguments source;
-  std::string output, size = "1024", rows = "linear", precision = "single";
-  std::optional<double> tolerance;
-  std::optional<std::size_t> max_bytes;
+  std::string output, size = "1024", precision = "single";
   unsigned threads = 0;
   bool json = false, quiet = false, list = false;
 };
@@ -76,68 +71,24 @@ std::function<void(double)> progress_bar(const BuildArguments& arguments) {
   };
 }
 
-/// The options that give the layout again.
-std::string layout_options(const BuildArguments& arguments, const Size& size) {
-  if (arguments.max_bytes)
-    return fmt::format("--tolerance {} --max-bytes {}", *arguments.tolerance, *arguments.max_bytes);
-  return fmt::format("--size {}x{}", size.rows, size.columns) +
-         (arguments.rows == "cubic" ? " --rows cubic" : "") +
-         (arguments.precision == "double" ? " --precision double" : "");
-}
-
 std::string recipe(const BuildArguments& arguments, const std::string& source, const Size& size) {
-  return fmt::format("vndf build {} {} -o {}", source, layout_options(arguments, size),
+  return fmt::format("vndf build {} --size {}x{}{} -o {}", source, size.rows, size.columns,
+                     arguments.precision == "double" ? " --precision double" : "",
                      std::filesystem::path(arguments.output).filename().string());
 }
 
-precompute::BuiltTables built_from(const BuildArguments& arguments, const Size& size,
-                                   const precompute::SlopeDistribution& distribution) {
-  if (arguments.max_bytes)
-    return precompute::smallest_tables(
-        distribution, {*arguments.tolerance, *arguments.max_bytes, arguments.threads});
-  const auto blend = arguments.rows == "cubic" ? RowBlend::cubic : RowBlend::linear;
-  return precompute::build_tables(
-      distribution, {.layout = {size.rows, size.columns, blend, arguments.precision == "double"},
-                     .threads = arguments.threads,
-                     .progress = progress_bar(arguments)});
-}
-
-/// Tables are not written when they err by more than was asked for.
-void require_tolerance(const Certificate& certificate, double tolerance) {
-  const auto require = [&](const TableErrors& e, const char* table, const char* row) {
-    if (e.max_u_error <= tolerance) return;
-    throw std::runtime_error(fmt::format(
-        "the {} table errs by up to {:.2e} in u (at {} {:.4g}, u {:.6g}), {:.1f} times the "
-        "tolerance {:g}; ask for a larger --size or a larger --tolerance",
-        table, e.max_u_error, row, e.worst_row, e.worst_u, e.max_u_error / tolerance, tolerance));
-  };
-  require(certificate.marginal, "marginal", "theta");
-  require(certificate.conditional, "conditional", "slope");
-}
-
-/// Tables that nobody set a bound for are written whatever they err by, but not in silence.
+/// Tables are written whatever they err by, but not in silence.
 void warn_of_errors(const Certificate& certificate) {
   constexpr double kLarge = 1e-3;
   const auto warn = [](const TableErrors& e, const char* table, const char* row) {
     if (e.max_u_error <= kLarge) return;
     std::cerr << fmt::format(
         "vndf: warning: the {} table errs by up to {:.2e} in u (at {} {:.4g}, u {:.6g}); a larger "
-        "--size may help, and --tolerance E writes no tables that err by more than E\n",
+        "--size may help\n",
         table, e.max_u_error, row, e.worst_row, e.worst_u);
   };
   warn(certificate.marginal, "marginal", "theta");
   warn(certificate.conditional, "conditional", "slope");
-}
-
-/// A search chooses the layout itself, by a tolerance.
-void require_layout(const BuildArguments& arguments, std::size_t layout_options_given) {
-  if (!arguments.max_bytes) return;
-  if (!arguments.tolerance)
-    throw CLI::ValidationError("--max-bytes", "needs the --tolerance that the tables are to keep");
-  if (layout_options_given > 0)
-    throw CLI::ValidationError("--max-bytes",
-                               "chooses the layout: leave out --size, --rows and "
-                               "--precision");
 }
 
 void build(const BuildArguments& arguments) {
@@ -148,11 +99,12 @@ void build(const BuildArguments& arguments) {
   const auto source = make_distribution(arguments.source);
   Size size{};
   parse_size(arguments.size, size);
-  const auto built = built_from(arguments, size, *source.distribution);
-  if (arguments.tolerance)
-    require_tolerance(built.certificate, *arguments.tolerance);
-  else if (!arguments.quiet)
-    warn_of_errors(built.certificate);
+  const auto built = precompute::build_tables(
+      *source.distribution,
+      {.layout = {size.rows, size.columns, arguments.precision == "double"},
+       .threads = arguments.threads,
+       .progress = progress_bar(arguments)});
+  if (!arguments.quiet) warn_of_errors(built.certificate);
   const io::TableFile file{built.tables,
                            {.recipe = recipe(arguments, source.options, size),
                             .program = kProgram,
@@ -189,33 +141,20 @@ void add_build(CLI::App& app) {
   command->add_option("--size", arguments->size, "Nodes per axis, N or NTHETAxNU, of both tables")
       ->capture_default_str()
       ->check(CLI::Validator(size_rule, "N|NTHETAxNU"));
-  command->add_option("--rows", arguments->rows, "Interpolation between rows")
-      ->check(CLI::IsMember({"linear", "cubic"}))
-      ->capture_default_str();
   command->add_option("--precision", arguments->precision, "Precision of the stored values")
       ->check(CLI::IsMember({"single", "double"}))
       ->capture_default_str();
-  command
-      ->add_option("--max-bytes", arguments->max_bytes,
-                   "Find the smallest tables that keep --tolerance, of at most so many bytes")
-      ->check(whole_number(1));
-  command
-      ->add_option("--tolerance", arguments->tolerance,
-                   "Largest u-error to accept; tables that exceed it are not written")
-      ->check(positive_number());
   add_threads(*command, arguments->threads);
   auto* json = command->add_flag("--json", arguments->json, "Print the report as one JSON object");
   command->add_flag("--quiet", arguments->quiet, "Print nothing, draw no progress bar")
       ->excludes(json);
   command->add_flag("--list", arguments->list, "List the named distributions and stop");
-  command->callback([arguments, command] {
+  command->callback([arguments] {
     if (arguments->list) {
       std::cout << list_of_families();
       return;
     }
     if (arguments->output.empty()) throw CLI::RequiredError("--output");
-    require_layout(*arguments, command->count("--size") + command->count("--rows") +
-                                   command->count("--precision"));
     build(*arguments);
   });
 }

@@ -51,7 +51,7 @@ std::vector<Tick> slope_ticks(const SlopeTables& t) {
     if (x < t.mean_slope * t.support)
       list.push_back(
           {fmt::format("{}", x),
-           rows.row(conditional_base(bounded_from_slope(x / t.mean_slope), t.conditional_unit))});
+           rows.row(conditional_base(bounded_from_slope(x / t.mean_slope)))});
   if (t.conditional_rows.empty()) list.push_back({"∞", 1.0});
   return list;
 }

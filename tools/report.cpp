@@ -13,9 +13,8 @@ void line(std::string& text, std::string_view what, const std::string& value) {
 }
 
 std::string size_of(const QuantileTable& table, std::string_view axes) {
-  const bool cubic = table.rows() > 1 && table.blend() == RowBlend::cubic;
-  return fmt::format("{} x {}", table.rows(), table.columns()) + fmt::format("   {}", axes) +
-         (cubic ? ", cubic rows" : "") + (table.in_double() ? ", double precision" : "");
+  return fmt::format("{} x {}   {}{}", table.rows(), table.columns(), axes,
+                     table.in_double() ? ", double precision" : "");
 }
 
 std::string ratios(const TailRatios& r) {
@@ -46,9 +45,9 @@ std::string describe(const io::TableFile& file) {
   for (std::string note; std::getline(notes, note);) line(text, "", note);
   line(text, "mean slope E|X|", fmt::format("{:.10g}", t.mean_slope));
   line(text, "marginal table", size_of(t.marginal, "(theta, u1)"));
-  line(
-      text, "conditional table",
-      size_of(t.conditional, t.conditional.rows() == 1 ? "(u2), the same for all x" : "(|x|, u2)"));
+  line(text, "conditional table",
+       size_of(t.conditional, "(|x|, u2)") +
+           (conditional_factorises(t) ? ", the same for all x" : ""));
   line(text, "sampling reads",
        fmt::format("{:.1f} KiB", static_cast<double>(sampling_bytes(t)) / 1024));
   text += fmt::format("\nCertificate: errors in {} precision, measured off the grid\n",

@@ -4,7 +4,6 @@
 #include <cstddef>
 
 #include "batch/blocks.h"
-#include "batch/sample_batch.h"
 
 namespace vndf::batch {
 

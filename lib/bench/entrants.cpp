@@ -8,17 +8,14 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <sstream>
 #include <stdexcept>
 
-#include "batch/sample_batch.h"
 #include "bench/caps_batch.h"
 #include "bench/literal_tables.h"
 #include "bench/published_caps.h"
 #include "io/table_file.h"
 #include "precompute/build_tables.h"
 #include "precompute/distribution_spec.h"
-#include "precompute/smallest_tables.h"
 #include "vndf/reference/beckmann_analytic.h"
 #include "vndf/reference/beckmann_exact.h"
 #include "vndf/reference/beckmann_ndf.h"
@@ -148,26 +145,6 @@ NormalSpans normals(const SampleBlock& b) {
   return {b.wm_x, b.wm_y, b.wm_z};
 }
 
-/// The same tables, many normals side by side.
-template <class Build>
-Contestant batched(Build build) {
-  double seconds = 0;
-  const BuiltTables built = timed(build, seconds);
-  const TabulatedSampler<float> sampler(built.tables);
-  Contestant c;
-  c.coherent = [sampler](const Vec3<float>& wi, const Alpha<float>& alpha, const SampleBlock& b) {
-    sample_batch(IncidentSampler<float>(sampler, wi, alpha), b.u1, b.u2, normals(b));
-  };
-  c.incoherent = [sampler](const SampleBlock& b) {
-    sample_batch(sampler, directions(b), AlphaSpans{b.alpha_x, b.alpha_y}, b.u1, b.u2, normals(b));
-  };
-  c.setup = setup_from(built);
-  c.bytes = sampling_bytes(*built.tables);
-  c.build_seconds = seconds;
-  c.errors = errors_of(built.certificate);
-  return c;
-}
-
 Entrant batched_caps() {
   return {"ggx caps as published, batched", "ggx", Kind::reference, 0, [] {
             Contestant c;
@@ -207,25 +184,9 @@ void add_tables(std::vector<Entrant>& list, const std::string& spec, const Field
     const std::string size = std::to_string(side);
     list.push_back({spec + " literal " + size, spec, Kind::literal, side,
                     [d, side] { return literal(*d, side); }});
-    for (const RowBlend blend : {RowBlend::linear, RowBlend::cubic})
-      list.push_back({spec + (blend == RowBlend::linear ? " linear " : " cubic ") + size, spec,
-                      Kind::table, side, [d, side, blend] {
-                        return tabulated([&] {
-                          return precompute::build_tables(*d, {.layout = {side, side, blend}});
-                        });
-                      }});
-  }
-  for (const double tolerance : options.tolerances) {
-    std::ostringstream name;
-    name << spec << " smallest for " << tolerance;
-    list.push_back({name.str(), spec, Kind::compact, 0, [d, tolerance] {
+    list.push_back({spec + " linear " + size, spec, Kind::table, side, [d, side] {
                       return tabulated([&] {
-                        return precompute::smallest_tables(*d, {tolerance, kMaxCompactBytes});
-                      });
-                    }});
-    list.push_back({name.str() + ", batched", spec, Kind::compact, 0, [d, tolerance] {
-                      return batched([&] {
-                        return precompute::smallest_tables(*d, {tolerance, kMaxCompactBytes});
+                        return precompute::build_tables(*d, {.layout = {side, side}});
                       });
                     }});
   }

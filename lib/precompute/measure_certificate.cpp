@@ -152,16 +152,15 @@ struct Judge {
     const BoundedSlope<double> exact = bounded_cotangent<double>(w.z, w.s);
     const VisibleSlopes visible(slopes, exact);
     // From the bounded form, for the slope itself may be beyond the range of single precision.
-    const auto cdf_of = [&](const auto& ordered) {
-      const double sigma = ordered.sigma;
-      const double a = std::log(sigma / (1 - sigma)) * sampler.tables().tail_order;
-      return visible.cdf(std::min(a, visible.farthest()));
+    const auto cdf_of = [&](const auto& x) {
+      const double sigma = x.sigma;
+      return visible.cdf(std::min(std::log(sigma / (1 - sigma)), visible.farthest()));
     };
     const auto sampled = [&](const Probability<float>& u) {
-      return cdf_of(sampler.sample_ordered_marginal(c, u));
+      return cdf_of(sampler.sample_marginal(c, u));
     };
     const auto sampled_double = [&](const Probability<double>& u) {
-      return cdf_of(sampler_double.sample_ordered_marginal(exact, u));
+      return cdf_of(sampler_double.sample_marginal(exact, u));
     };
     const double theta = std::atan2(w.s / slopes.mean_slope(), w.z) / kDegree;
     const Row row{theta, marginal_column_inverse<double>, sampled, sampled_double,
@@ -174,8 +173,7 @@ struct Judge {
     const BoundedSlope<double> exact = bounded_from_sigma<double>(bounded.sigma);
     const SlopeTables& tables = sampler.tables();
     const ConditionalSlopes conditional(
-        slopes, exact.slope(),
-        {tables.conditional_constant, tables.conditional_quadratic, tables.support});
+        slopes, exact.slope(), {tables.conditional_constant, tables.conditional_quadratic});
     const auto cdf_of = [&](auto sign, auto v) {
       const double y = conditional_value_inverse(double{v}).slope();
       const double half = conditional.cdf(y).complement / 2;
@@ -251,7 +249,7 @@ TableErrors judge_conditional(const Judge& judge, const Workers& workers) {
   const RowAxis<double> rows(tables.conditional_rows);
   std::vector<double> reached;
   for (const double row : off_grid_rows(tables.conditional.rows(), kRows)) {
-    const double x = conditional_base_inverse(rows.base(row), tables.conditional_unit);
+    const double x = conditional_base_inverse(rows.base(row));
     // Given x = 0 a pole leaves no law, or one that none samples.
     const bool centre = static_cast<float>(bounded_from_slope(x).sigma) == 0.5f;
     if (centre && std::isinf(judge.slopes.p22(0))) continue;
@@ -273,20 +271,6 @@ double largest(std::size_t count, const Workers& workers, F error) {
 }
 
 }  // namespace
-
-TableErrors measure_marginal(const UnitSlopes& slopes,
-                             const std::shared_ptr<const SlopeTables>& tables,
-                             const Workers& workers) {
-  return judge_marginal({slopes, TabulatedSampler<float>(tables), TabulatedSampler<double>(tables)},
-                        workers);
-}
-
-TableErrors measure_conditional(const UnitSlopes& slopes,
-                                const std::shared_ptr<const SlopeTables>& tables,
-                                const Workers& workers) {
-  return judge_conditional(
-      {slopes, TabulatedSampler<float>(tables), TabulatedSampler<double>(tables)}, workers);
-}
 
 Certificate measure_certificate(const UnitSlopes& slopes,
                                 const std::shared_ptr<const SlopeTables>& tables,

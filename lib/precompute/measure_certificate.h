@@ -14,14 +14,6 @@
 
 namespace vndf::precompute {
 
-/// The errors of one table of the two, whatever the other is.
-TableErrors measure_marginal(const UnitSlopes& slopes,
-                             const std::shared_ptr<const SlopeTables>& tables,
-                             const Workers& workers);
-TableErrors measure_conditional(const UnitSlopes& slopes,
-                                const std::shared_ptr<const SlopeTables>& tables,
-                                const Workers& workers);
-
 /// The certificate of `tables`, which were made from `slopes` or claim to be of the same law.
 Certificate measure_certificate(const UnitSlopes& slopes,
                                 const std::shared_ptr<const SlopeTables>& tables,

@@ -82,19 +82,13 @@ std::optional<Vec2<T>> TabulatedSampler<T>::invert(const Vec3<T>& wi, const Vec3
 /// sample_marginal() with its differentials; that of sigma is 0 where it is held at the farthest.
 template <class T>
 auto TabulatedSampler<T>::marginal_step(const BoundedSlope<T>& c, T column) const -> MarginalStep {
-  const int order = tables_->tail_order;
-  const BoundedSlope<T>& edge = farthest(c);
-  const T du1 = marginal_column_rate(column);
-  const WithDerivative<T> w = tables_->marginal.lookup_with_derivative(marginal_row(c), column);
-  const WithDerivative<T> sigma = marginal_map_.identity()
-                                      ? WithDerivative<T>{edge.sigma * w.value, edge.sigma}
-                                      : marginal_map_.at_with_derivative(w.value);
-  if (!(sigma.value < to_order(edge, order).sigma)) return {edge, du1, T(0)};
-  const BoundedSlope<T> ordered = bounded_from_sigma(sigma.value);
-  const BoundedSlope<T> x = from_order(ordered, order);
+  const BoundedSlope<T> edge = farthest(c);
+  const WithDerivative<T> s = tables_->marginal.lookup_with_derivative(marginal_row(c), column);
+  const WithDerivative<T> sigma = marginal_map_.at_with_derivative(s.value);
+  const BoundedSlope<T> x = bounded_from_sigma(sigma.value);
   const bool held = !(x.sigma < edge.sigma && x.complement > edge.complement);
-  if (held) return {held_below(edge, x), du1, T(0)};
-  return {x, du1, w.derivative * sigma.derivative * from_order_derivative(ordered, order)};
+  return {held_below(edge, x), marginal_column_rate(column),
+          held ? T(0) : s.derivative * sigma.derivative};
 }
 
 /// sample_conditional() with its differentials. At u2 = 1/2 both may vanish, as t; there they are
@@ -130,13 +124,6 @@ SampledNormal<T> TabulatedSampler<T>::sample_at(const Stretched& s, const Column
   return {normalize_or_up(normal), m.du1 * k.du2 > T(0) ? pdf : T(0)};
 }
 
-/// The value of the marginal table that stands for the slope `x` <= c.
-template <class T>
-T TabulatedSampler<T>::marginal_value(const BoundedSlope<T>& x, const BoundedSlope<T>& c) const {
-  const T sigma = to_order(x, tables_->tail_order).sigma;
-  return marginal_map_.identity() ? sigma / farthest(c).sigma : marginal_map_.inverse(sigma);
-}
-
 template <class T>
 auto TabulatedSampler<T>::columns_of(const Stretched& s, const Vec3<T>& wm) const
     -> std::optional<Columns> {
@@ -148,7 +135,7 @@ auto TabulatedSampler<T>::columns_of(const Stretched& s, const Vec3<T>& wm) cons
   const T scale = conditional_scale_.at({slope.x, slope.w});
   const T v = slope.y == T(0) ? T(0)  // at the rim of a bounded support the scale is 0 too
                               : conditional_value(bounded_from_fraction(std::abs(slope.y), scale));
-  const Columns columns{tables_->marginal.inverse(marginal_row(s.c), marginal_value(x, s.c)),
+  const Columns columns{tables_->marginal.inverse(marginal_row(s.c), marginal_map_.inverse(x.sigma)),
                         tables_->conditional.inverse(conditional_row(x), v),
                         slope.y < T(0) ? T(-1) : T(1)};
   if (!in_range(s, columns, x, v)) return {};

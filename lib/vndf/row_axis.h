@@ -43,11 +43,6 @@ class RowAxis {
     return std::clamp(bases_[i] + (row - rows_[i]) / rows_per_base_[i], bases_[i], bases_[i + 1]);
   }
 
-  /// Base and row coordinate of every knot and the slope of every segment; empty for the identity.
-  const std::vector<T>& bases() const { return bases_; }
-  const std::vector<T>& rows() const { return rows_; }
-  const std::vector<T>& rows_per_base() const { return rows_per_base_; }
-
  private:
   static std::size_t segment(const std::vector<T>& from, T x) {
     if (from.size() == 2) return 0;
