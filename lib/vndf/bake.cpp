@@ -104,7 +104,9 @@ class PairSlopes {
     const auto y =
         conditional_value_inverse(sampler_.sample_conditional(bounded, {1 - 2 * q, 2 * q}));
     const SlopeFraction<double> fraction{bounded.numerator(), bounded.denominator()};
-    const double scale = sampler_.conditional_scale().at(fraction) / fraction.denominator;
+    const ConditionalScale<double> pair_scale{pair_.conditional_constant,
+                                              pair_.conditional_quadratic};
+    const double scale = pair_scale.at(fraction) / fraction.denominator;
     return -y.slope() * scale / (unit_ * scale_at(x));
   }
 
