@@ -44,7 +44,8 @@ struct Columns {
   /// dq / dp.
   double rate(double p) const { return roots ? p - offset : 1; }
 };
-constexpr Columns kByProbability{false, 0, 24}, kByRoot{true, 0x1p-8, 9};
+// The least place above one half, 2^-25 of p, is to have another key than 1/2 below it.
+constexpr Columns kByProbability{false, 0, 25}, kByRoot{true, 0x1p-8, 9};
 
 /// What is followed: values over q, with derivatives, and the error in u of other values.
 struct Judge {

@@ -132,7 +132,8 @@ VNDF_COLD_FUNCTION float4 vndf_stretched_unusual(float x, float y, float z, floa
   float h = square_root(a * a + b * b);
   float most = 1e9f;
   if (!valid) return make4(1.0f, 0.0f, 0.0f, float_of(0x7fc00000u));
-  return make4(a / h, b / h, smaller(z / (size * h), most), alpha);
+  float cotangent = size > 0.0f ? smaller(z / (size * h), most) : most;
+  return make4(a / h, b / h, cotangent, alpha);
 }
 
 VNDF_FUNCTION VndfDirection vndf_at(VNDF_IN(VndfTables) t, vec3 wi, float alpha_x, float alpha_y) {
