@@ -14,4 +14,10 @@ KernelTables bake_certified(const UnitSlopes& slopes, const SlopeTables& pair,
                             const BakeOptions& options, const KernelText& text,
                             const Workers& workers);
 
+/// The same where the law of `pair` cannot be had again: the certificate, marked as not measured,
+/// is that of the pair with the differences from it added. Of the density and of the tails these
+/// tell nothing.
+KernelTables bake_uncertified(const SlopeTables& pair, const Certificate& certificate,
+                              const BakeOptions& options, const KernelText& text);
+
 }  // namespace vndf::precompute

@@ -1,6 +1,7 @@
 // Measures baked tables against the exact distribution, by the steps of kernel_text.h.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -22,6 +23,10 @@ constexpr double kDegree = std::numbers::pi / 180;
 // Baked tables have no grid of their own; rows and columns are those of a pair of this size.
 constexpr std::size_t kNominalSize = 1024;
 
+/// Of what is no number; tables that give it are not refused but measured.
+constexpr Probability<double> kNoProbability{std::numeric_limits<double>::quiet_NaN(),
+                                             std::numeric_limits<double>::quiet_NaN()};
+
 /// u, or the end beyond which the kernel does not look.
 float kernel_u(const Probability<double>& u) {
   return std::clamp(static_cast<float>(u.u), kernel::kVndfLeastU, kernel::kVndfMostU);
@@ -29,6 +34,16 @@ float kernel_u(const Probability<double>& u) {
 
 Probability<double> given_to_kernel(const Probability<double>& u) {
   return from_tail(kernel_u(u));
+}
+
+/// The powers of two, at which keys begin, from both ends to one half.
+std::vector<Probability<double>> edges_of_keys() {
+  std::vector<Probability<double>> edges;
+  for (int k = 1; k <= 25; ++k) {
+    edges.push_back(from_tail(std::ldexp(1, -k)));
+    edges.push_back(from_complement(std::ldexp(1, -k)));
+  }
+  return edges;
 }
 
 /// One of the cubics of a draw, which may be followed in double precision.
@@ -119,7 +134,8 @@ class MarginalRow final : public RowMap {
   }
   /// At most the cotangent, as the kernel gives it.
   Probability<double> cdf_of(double sigma) const {
-    return visible_.cdf(std::min(std::asinh(units_.x({sigma})), visible_.farthest()));
+    const double a = std::asinh(units_.x({sigma}));
+    return std::isnan(a) ? kNoProbability : visible_.cdf(std::min(a, visible_.farthest()));
   }
 
   const VndfTables& tables_;
@@ -160,6 +176,7 @@ class ConditionalRow final : public RowMap {
     return vndf_draw(tables_, place_.direction, place_.u1, kernel_u(u));
   }
   Probability<double> cdf_of(double v) const {
+    if (std::isnan(v)) return kNoProbability;
     const double half = conditional_.cdf(std::abs(v) * scale_).complement / 2;
     return v < 0 ? from_tail(half) : from_complement(half);
   }
@@ -192,9 +209,10 @@ struct Judge {
   TableErrors marginal_row(const Direction& w, std::size_t index) const {
     const VisibleSlopes visible(slopes, bounded_cotangent(double{w.z}, w.s * slopes.mean_slope()));
     const VndfDirection stretched = at(w);
-    return judge_row(
-        MarginalRow(tables, units, stretched, visible),
-        {std::atan2(w.s, w.z) / kDegree, marginal_column_inverse<double>, kNominalSize}, index);
+    return judge_row(MarginalRow(tables, units, stretched, visible),
+                     {std::atan2(w.s, w.z) / kDegree, marginal_column_inverse<double>, kNominalSize,
+                      edges_of_keys()},
+                     index);
   }
 
   /// The place at which a slope next to `x`, in units of the mean slope, is drawn: seen from the
@@ -216,7 +234,7 @@ struct Judge {
     const ConditionalSlopes conditional(slopes, x, plain_scale(slopes));
     return judge_row(
         ConditionalRow(tables, place, units.scale(slope) / conditional.scale(), conditional),
-        {x * slopes.mean_slope(), conditional_u2, kNominalSize}, index);
+        {x * slopes.mean_slope(), conditional_u2, kNominalSize, edges_of_keys()}, index);
   }
 };
 

@@ -15,7 +15,6 @@ constexpr std::size_t kUniform = 192;    // u uniform, for the mean
 constexpr std::size_t kColumns = 384;    // columns uniform, for the maximum
 constexpr std::size_t kEdgeColumns = 3;  // first and last cells, each at four places
 constexpr double kDensityEnd = 1e-6;     // the density is judged between this and 1 - this
-constexpr double kFarthestRatio = 8;     // of the mass of a tail
 constexpr double kSmallestTail = 1e-9;   // of the slopes x at which slope y is judged
 
 template <class Mass>
@@ -40,6 +39,7 @@ std::vector<Probability<double>> hard_probabilities(const RowPlaces& row, double
     places.push_back(row.column_inverse(1 - t));
   }
   add_tails(places);
+  places.insert(places.end(), row.edges.begin(), row.edges.end());
   return places;
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 #include "precompute/parallel.h"
 #include "precompute/unit_slopes.h"
@@ -39,6 +40,8 @@ struct RowPlaces {
   /// The graded axis of columns and their number: its places beyond those uniform in u.
   Probability<double> (*column_inverse)(double);
   std::size_t columns;
+  /// Where cells may begin whatever their number.
+  std::vector<Probability<double>> edges = {};
 };
 
 /// Inverse of the conditional column on the whole of u2: [0, 1/2] the lower half of the rows.
@@ -50,6 +53,9 @@ TableErrors judge_row(const RowMap& map, const RowPlaces& places, std::size_t in
 /// Those of a table of `count` rows, of which `row` gives the errors of each.
 TableErrors judge_rows(std::size_t count, const Workers& workers,
                        const std::function<TableErrors(std::size_t)>& row);
+
+/// Farthest ratio of the mass of a tail that is told from others.
+inline constexpr double kFarthestRatio = 8;
 
 /// Golden rows of each table at which it is judged.
 inline constexpr std::size_t kJudgedRows = 420;
