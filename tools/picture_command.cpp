@@ -9,8 +9,8 @@
 
 #include "commands.h"
 #include "gnuplot.h"
-#include "io/table_file.h"
 #include "output_file.h"
+#include "table_files.h"
 #include "vndf/table_coordinates.h"
 
 namespace vndf::tools {
@@ -50,8 +50,7 @@ std::vector<Tick> slope_ticks(const SlopeTables& t) {
   for (const double x : {0.0, 0.1, 0.5, 1.0, 2.0, 5.0})
     if (x < t.mean_slope * t.support)
       list.push_back(
-          {fmt::format("{}", x),
-           rows.row(conditional_base(bounded_from_slope(x / t.mean_slope)))});
+          {fmt::format("{}", x), rows.row(conditional_base(bounded_from_slope(x / t.mean_slope)))});
   if (t.conditional_rows.empty()) list.push_back({"∞", 1.0});
   return list;
 }
@@ -120,7 +119,7 @@ void add_picture(CLI::App& app) {
   command->callback([arguments] {
     const std::string terminal = terminal_for(arguments->output);
     require_output(arguments->output);
-    const io::TableFile file = io::load(arguments->file);
+    const io::TableFile file = load_pair(arguments->file);
     draw(arguments->output,
          [&](const std::string& name) { return script(*file.tables, name, terminal); });
   });
