@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <new>
@@ -171,6 +172,13 @@ std::shared_ptr<std::byte> aligned_bytes(std::size_t count) {
   return {p, AlignedDelete()};
 }
 
+/// The leading digits of a small number.
+std::string digits_of(double number) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g", number);
+  return text.data();
+}
+
 std::string joined(const KernelText& text) {
   std::string all;
   for (const std::string* part :
@@ -319,8 +327,8 @@ KernelTables load(const std::filesystem::path& path, const LoadOptions& options)
     const Certificate c = tables.certificate();
     const double u_error = std::max(c.marginal.max_u_error, c.conditional.max_u_error);
     if (!(u_error <= options.max_u_error))
-      fail_with("its certificate admits a u-error of " + std::to_string(u_error) + ", above " +
-                std::to_string(options.max_u_error) + "; bake it with a smaller --tolerance");
+      fail_with("its certificate admits a u-error of " + digits_of(u_error) + ", above " +
+                digits_of(options.max_u_error) + "; bake it with a smaller --tolerance");
     return tables;
   } catch (const KernelTablesError& e) {
     const std::string what = e.what();
