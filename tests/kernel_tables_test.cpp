@@ -18,7 +18,8 @@ namespace {
 
 /// The smallest block that the tests of damage go through byte by byte.
 const KernelTables& smallest() {
-  static const KernelTables tables = bake(*small_tables("ggx").tables, {.tolerance = 1e-2});
+  static const KernelTables tables =
+      bake(*small_tables("ggx").tables, {.tolerance = kMostTolerance});
   return tables;
 }
 

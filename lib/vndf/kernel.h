@@ -81,7 +81,7 @@ class Kernel {
   /// -kKernelFacingSlack; (0, 0, 1) for an input outside its range.
   Vec3<float> sample(const Vec3<float>& wi, const Alpha<float>& alpha, float u1,
                      float u2) const noexcept {
-    return at(wi, alpha).sample(u1, u2);
+    return kernel::vndf_sample_towards(tables_, wi, alpha.x, alpha.y, u1, u2);
   }
 
   /// The normal of sample(), with the density of the map there: the reciprocal of its Jacobian. The

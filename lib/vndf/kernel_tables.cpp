@@ -68,7 +68,6 @@ class Checker {
 
   void check_numbers() const {
     const KernelHeader& h = header();
-    const auto positive = [](float x) { return x > 0 && std::isfinite(x); };
     require(positive(h.unit), "the unit of slopes is not a finite number > 0");
     require(h.scale_root >= 0 && h.scale_constant >= 0 && h.rim >= 0 &&
                 std::isfinite(h.scale_root + h.scale_constant + h.rim) &&
@@ -76,8 +75,7 @@ class Checker {
             "the scale of slope y is not a finite number > 0");
     require(h.least_root > 0 && h.least_root < h.most_root && h.most_root < 1,
             "the bounds of the root of sigma are not inside (0, 1)");
-    require(positive(h.direction_offset) && positive(h.slope_offset) && h.direction_offset < 1 &&
-                h.slope_offset < 1,
+    require(positive(h.direction_offset) && h.direction_offset < 1,
             "the offset of an axis is not inside (0, 1)");
     require(h.column_roots <= 1 && h.separable <= 1, "a choice that is neither 0 nor 1");
     require(h.column_roots == 0 || (h.column_offset > 0 && h.column_offset < 1),
@@ -95,19 +93,48 @@ class Checker {
     require_keys(h.direction, key(h.direction_offset, h.direction),
                  key(1 + h.direction_offset, h.direction));
     require_keys(h.marginal, key(low, h.marginal), key(high, h.marginal));
-    require_keys(h.marginal,
-                 key(std::bit_cast<float>(std::bit_cast<std::uint32_t>(low) + upper), h.marginal),
-                 key(std::bit_cast<float>(std::bit_cast<std::uint32_t>(high) + upper), h.marginal));
+    require_keys(h.marginal, key(raised(low, upper), h.marginal),
+                 key(raised(high, upper), h.marginal));
     require_keys(h.conditional, key(low, h.conditional), key(high, h.conditional));
     require(h.marginal.shift == h.conditional.shift, "the columns of the tables differ in shift");
     const std::size_t patch = h.separable != 0 ? kCubicBytes : kPatchBytes;
     std::size_t row = 0;
     if (h.separable == 0) {
-      require_keys(h.slope, key(h.slope_offset, h.slope), key(0.5f + h.slope_offset, h.slope));
-      row = largest_offset(h.slope);
+      row = check_slopes();
     }
     require_inside(largest_offset(h.marginal) + largest_offset(h.direction) + kPatchBytes);
     require_inside(largest_offset(h.conditional) + row + patch);
+  }
+
+  /// The largest distance of a row of patches from the first.
+  std::size_t check_slopes() const {
+    const KernelHeader& h = header();
+    require(h.slope_middle > 0 && h.slope_middle < 1, "the middle of the slopes is not in (0, 1)");
+    require(positive(h.slope_offset) && positive(h.slope_most) && h.slope_offset < h.slope_most &&
+                h.slope_most < 1,
+            "the axis of slopes has no length");
+    require(
+        (h.slope_upper & 0x7fffff) == 0 && h.slope_upper >= 0x800000 && h.slope_upper <= 0x20000000,
+        "the halves of the slopes are not a power of two apart");
+    KernelAxis pairs = h.slope;  // as an axis with twice the entries
+    require(pairs.count <= kMostBytes / (2 * kGuideBytes), "a guide does not cover its axis");
+    for (const std::uint32_t half : {0u, h.slope_upper})
+      require_keys(h.slope, key(raised(h.slope_offset, half), h.slope),
+                   key(raised(h.slope_most, half), h.slope));
+    pairs.count *= 2;
+    require_inside(std::size_t{pairs.guide} + std::size_t{pairs.count} * kGuideBytes);
+    std::size_t map = 0, row = 0;
+    for (std::uint32_t k = 0; k < pairs.count; ++k) {
+      const std::size_t offset = offset_at(pairs, k);
+      (k % 2 == 0 ? map : row) = std::max(k % 2 == 0 ? map : row, offset);
+    }
+    require_inside(map + kCubicBytes);
+    return row;
+  }
+
+  /// A place with `bits` added to it.
+  static float raised(float place, std::uint32_t bits) {
+    return std::bit_cast<float>(std::bit_cast<std::uint32_t>(place) + bits);
   }
 
   void check_curve(const kernel::VndfCurve& curve) const {
@@ -128,6 +155,8 @@ class Checker {
     }
   }
 
+  static bool positive(float x) { return x > 0 && std::isfinite(x); }
+
   static std::uint32_t key(float place, const KernelAxis& axis) {
     require(axis.shift < 32, "an axis is shifted by more than a number has bits");
     return std::bit_cast<std::uint32_t>(place) >> axis.shift;
@@ -144,14 +173,16 @@ class Checker {
   /// Of the entries of a guide that is inside the block.
   std::size_t largest_offset(const KernelAxis& axis) const {
     std::size_t largest = 0;
-    for (std::uint32_t k = 0; k < axis.count; ++k) {
-      kernel::Guide entry;
-      std::memcpy(&entry, bytes_.data() + axis.guide + k * kGuideBytes, sizeof entry);
-      require(std::isfinite(entry.start) && entry.offset % kCubicBytes == 0,
-              "an entry of a guide is no place or not aligned");
-      largest = std::max(largest, std::size_t{entry.offset});
-    }
+    for (std::uint32_t k = 0; k < axis.count; ++k) largest = std::max(largest, offset_at(axis, k));
     return largest;
+  }
+
+  std::size_t offset_at(const KernelAxis& axis, std::size_t k) const {
+    kernel::Guide entry;
+    std::memcpy(&entry, bytes_.data() + axis.guide + k * kGuideBytes, sizeof entry);
+    require(std::isfinite(entry.start) && entry.offset % kCubicBytes == 0,
+            "an entry of a guide is no place or not aligned");
+    return entry.offset;
   }
 
   void require_inside(std::size_t end) const {
@@ -177,6 +208,14 @@ std::string digits_of(double number) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.3g", number);
   return text.data();
+}
+
+/// Changes the header of a block and its checksum with it.
+template <class Change>
+void change_header(std::span<std::byte> block, Change change) {
+  auto* header = reinterpret_cast<KernelHeader*>(block.data());
+  change(*header);
+  header->checksum = kernel_checksum(block);
 }
 
 std::string joined(const KernelText& text) {
@@ -268,7 +307,9 @@ Kernel KernelTables::kernel() const {
   t.least_root = h.least_root;
   t.most_root = h.most_root;
   t.direction_offset = h.direction_offset;
+  t.slope_middle = h.slope_middle;
   t.slope_offset = h.slope_offset;
+  t.slope_most = h.slope_most;
   t.direction_guide = guide(h.direction);
   t.direction_shift = h.direction.shift;
   t.column_shift = h.marginal.shift;
@@ -277,30 +318,52 @@ Kernel KernelTables::kernel() const {
   t.column_offset = h.column_offset;
   t.marginal_guide = guide(h.marginal);
   t.conditional_guide = guide(h.conditional);
-  t.slope_guide = guide(h.slope);
+  t.slope_guide = h.slope.guide - (h.slope.first_key << 4);
+  t.slope_upper = h.slope_upper;
   t.slope_shift = h.slope.shift;
   t.separable = h.separable;
+  t.plain = h.separable != 0 && h.rim == 0 && h.column_roots == 0 ? 1 : 0;
   t.ndf = h.ndf;
   t.backfacing = h.backfacing;
   t.block.bytes = reinterpret_cast<const unsigned char*>(bytes_.data());
   return Kernel(t);
 }
 
-KernelTables KernelTables::with(const Certificate& certificate, const KernelText& text) const {
+KernelTables KernelTables::with_text(const KernelText& text) const {
   const std::string texts = joined(text);
   const std::size_t size = header().text + texts.size();
   const auto owner = aligned_bytes(size);
   std::copy_n(bytes_.begin(), header().text, owner.get());
   std::memcpy(owner.get() + header().text, texts.data(), texts.size());
-  auto* h = reinterpret_cast<KernelHeader*>(owner.get());
-  h->bytes = size;
-  h->text_bytes = static_cast<std::uint32_t>(texts.size());
-  h->certified = 1;
-  std::size_t k = 0;
-  for_each_figure(certificate,
-                  [&](const std::string&, double figure) { h->certificate[k++] = figure; });
-  const std::span<const std::byte> own(owner.get(), size);
-  h->checksum = kernel_checksum(own);
+  const std::span<std::byte> own(owner.get(), size);
+  change_header(own, [&](KernelHeader& h) {
+    h.bytes = size;
+    h.text_bytes = static_cast<std::uint32_t>(texts.size());
+  });
+  return {owner, own};
+}
+
+KernelTables KernelTables::with_certificate(const Certificate& certificate) const {
+  const auto owner = aligned_bytes(bytes_.size());
+  std::copy(bytes_.begin(), bytes_.end(), owner.get());
+  const std::span<std::byte> own(owner.get(), bytes_.size());
+  change_header(own, [&](KernelHeader& h) {
+    h.certified = 1;
+    std::size_t k = 0;
+    for_each_figure(certificate,
+                    [&](const std::string&, double figure) { h.certificate[k++] = figure; });
+  });
+  return {owner, own};
+}
+
+KernelTables KernelTables::with_differences(double x, double y) const {
+  const auto owner = aligned_bytes(bytes_.size());
+  std::copy(bytes_.begin(), bytes_.end(), owner.get());
+  const std::span<std::byte> own(owner.get(), bytes_.size());
+  change_header(own, [&](KernelHeader& h) {
+    h.difference_x = x;
+    h.difference_y = y;
+  });
   return {owner, own};
 }
 

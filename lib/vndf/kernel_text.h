@@ -23,10 +23,14 @@
 //   u2          p, for the law is symmetric; slope_y has the sign of u2 - 1/2
 //   slope x     |sigma - 1/2| + offset
 //
-// A cell of the marginal is a patch of 4 x 4 coefficients, cubic in u1 and in g, of the root of
-// sigma, which bends less than sigma where the tail is heavy and as much where it is not; one of
-// the conditional is a cubic in q of -|y| over a scale, or a patch in q and in x. In memory the
-// four coefficients of a cubic are (c0, c2, c1, c3).
+//   s           s + an offset
+//
+// Where slope y over its scale does not depend on x, as for Beckmann, Student-T and GGX, the law is
+// smooth: a cell of the marginal is a patch of 4 x 4 coefficients, cubic in u1 and in g, of the
+// root of sigma, which bends less than sigma where the tail is heavy; and one of the conditional is
+// a cubic in q of -|y| over the scale. Of any other law the marginal is a patch of s, in which it
+// is smooth too, from which a cubic, the pair's map, makes the root; and the conditional is a patch
+// in q and in x. In memory the four coefficients of a cubic are (c0, c2, c1, c3).
 
 struct VndfCurve {
   uint segments, count;  ///< where they are, each of two fetches, and how many
@@ -39,14 +43,18 @@ struct VndfTables {
   float scale_constant;  ///< sqrt(rim^2 - x^2) where the rim is not 0
   float rim;
   float least_root, most_root;  ///< of sigma, so that no normal is horizontal
-  float direction_offset, slope_offset;
+  float direction_offset;
+  float slope_middle;              ///< s of x = 0
+  float slope_offset, slope_most;  ///< least and largest p on the axis of slopes
   uint direction_guide, direction_shift;
   uint column_shift;
   uint column_upper;  ///< what is added to the bits of -p for u1 above one half
   uint column_roots;  ///< 1 where p is a root, 0 where it is q
   float column_offset;
   uint marginal_guide, conditional_guide;
-  uint slope_guide, slope_shift;
+  uint slope_guide, slope_shift;  ///< with two entries a key: of the map, and of rows of y
+  uint slope_upper;               ///< what is added to the bits of p for s above one half
+  uint plain;      ///< 1 where the tables are separable, without a rim, and their columns by q
   uint separable;  ///< 1 where y over its scale does not depend on x, 0 where it has rows in x
   VndfCurve ndf, backfacing;
   Block block;
@@ -63,12 +71,13 @@ struct VndfDirection {
 
 /// The cubics of one sample and what they gave.
 struct VndfDraw {
-  float4 marginal, conditional;
-  float4 f;       ///< place in the cells: of u1 twice, of q twice
-  uint4 upper;    ///< all bits where u is above one half, likewise
-  float4 places;  ///< of u1 on the axis of columns, a power of two apart above one half; of q
-  float root;     ///< of sigma, which stands for slope x
-  float v;        ///< slope y over its scale
+  float4 marginal, map, conditional;
+  float s, map_f;  ///< what the map is of, and the place in its cell
+  float4 f;        ///< place in the cells: of u1 twice, of q twice
+  uint4 upper;     ///< all bits where u is above one half, likewise
+  float4 places;   ///< of u1 on the axis of columns, a power of two apart above one half; of q
+  float root;      ///< of sigma, which stands for slope x
+  float v;         ///< slope y over its scale
 };
 
 const float kVndfLeastU = 2.98023224e-8f;  // 2^-25
@@ -78,7 +87,7 @@ const float kVndfShortest = 1e-12f;
 const float kVndfLongest = 1e12f;
 const float kVndfLeast = 1.17549435e-38f;    // of the numbers that keep their digits
 const float kVndfLargest = 3.402823466e38f;  // a density where many u give one normal
-const float kVndfFarthest = 1.15292150e18f;  // 2^60: slopes beyond it are taken for it
+const float kVndfFarthest = 1.26765060e30f;  // 2^100: slopes beyond it are taken for it
 const uint kVndfSign = 0x80000000u;
 
 /// Whether a is in [low, high), two positive numbers; one comparison of bits, in which what is no
@@ -112,6 +121,11 @@ VNDF_FUNCTION float4 vndf_blend(VNDF_IN(VndfTables) t, uint patch, float g) {
 VNDF_FUNCTION float4 vndf_values(float4 a, float4 b, float4 f) {
   float4 even = low_halves(a, b) + f * high_halves(a, b);
   return even + (f * f) * odd_lanes(even);
+}
+
+/// One cubic.
+VNDF_FUNCTION float vndf_value(float4 a, float f) {
+  return vndf_values(a, a, make4(f, f, f, f))[0];
 }
 
 /// The derivative of a cubic at f.
@@ -168,9 +182,11 @@ VNDF_FUNCTION float vndf_between(VNDF_IN(VndfTables) t, float root) {
   return smaller(larger(root, t.least_root), t.most_root);
 }
 
-VNDF_FUNCTION VndfCell vndf_slope_row(VNDF_IN(VndfTables) t, float root) {
-  float m = root * root - 0.5f;
-  return vndf_cell(t, t.slope_guide, t.slope_shift, larger(m, -m) + t.slope_offset);
+/// The place of s on the axis of slopes.
+VNDF_FUNCTION float vndf_slope_place(VNDF_IN(VndfTables) t, float s) {
+  float w = t.slope_middle - s;
+  float p = smaller(magnitude(w) + t.slope_offset, t.slope_most);
+  return float_of(bits_of(p) + ((0u - (bits_of(w) >> 31)) & t.slope_upper));
 }
 
 /// p with the sign of q.
@@ -181,8 +197,9 @@ VNDF_FUNCTION float4 vndf_root_columns(VNDF_IN(VndfTables) t, float4 q) {
   return floats_of(bits_of(roots + offset) ^ signs);
 }
 
+/// `plain` says what t.plain does, where that is known; false is always right.
 VNDF_FUNCTION VndfDraw vndf_draw(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) d, float u1,
-                                 float u2) {
+                                 float u2, bool plain) {
   VndfDraw draw;
   // Adding and taking away 1.5 x 2^23 rounds to a whole number: q = u below one half, u - 1 above.
   float4 whole = make4(12582912.0f, 12582912.0f, 12582912.0f, 12582912.0f);
@@ -191,7 +208,7 @@ VNDF_FUNCTION VndfDraw vndf_draw(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) d
   float4 u = smaller(larger(make4(u1, u1, u2, u2), least), most);
   float4 q = u - ((u + whole) - whole);
   draw.upper = sign_mask(q);
-  if (t.column_roots != 0u) q = vndf_root_columns(t, q);
+  if (!plain && t.column_roots != 0u) q = vndf_root_columns(t, q);
   uint4 halves = make_uint4(t.column_upper, t.column_upper, kVndfSign, kVndfSign);
   uint4 places = bits_of(q) + (draw.upper & halves);
   uint4 keys = places >> t.column_shift;
@@ -201,14 +218,19 @@ VNDF_FUNCTION VndfDraw vndf_draw(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) d
   draw.f = draw.places - make4(column1.start, column1.start, column2.start, column2.start);
   draw.marginal = vndf_blend(t, column1.offset + d.row, d.g);
   float4 values;
-  if (t.separable != 0u) {
+  if (plain || t.separable != 0u) {
     draw.conditional = fetch4(t.block, column2.offset, 0u);
     values = vndf_values(draw.marginal, draw.conditional, draw.f);
     draw.root = vndf_between(t, values[0]);
   } else {
-    draw.root = vndf_between(t, vndf_values(draw.marginal, draw.marginal, draw.f)[0]);
-    VndfCell row = vndf_slope_row(t, draw.root);
-    draw.conditional = vndf_blend(t, column2.offset + row.offset, row.f);
+    draw.s = vndf_values(draw.marginal, draw.marginal, draw.f)[0];
+    float place = vndf_slope_place(t, draw.s);
+    uint entry = t.slope_guide + ((bits_of(place) >> t.slope_shift) << 4);
+    Guide map = fetch_guide(t.block, entry), row = fetch_guide(t.block, entry + 8u);
+    draw.map = fetch4(t.block, map.offset, 0u);
+    draw.map_f = place - map.start;
+    draw.root = vndf_between(t, vndf_value(draw.map, draw.map_f));
+    draw.conditional = vndf_blend(t, column2.offset + row.offset, place - row.start);
     values = vndf_values(draw.marginal, draw.conditional, draw.f);
   }
   uint4 signs = draw.upper & make_uint4(0u, 0u, kVndfSign, kVndfSign);
@@ -217,8 +239,8 @@ VNDF_FUNCTION VndfDraw vndf_draw(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) d
 }
 
 /// The scale of slope y, times d.
-VNDF_FUNCTION float vndf_scale(VNDF_IN(VndfTables) t, float sigma, float d) {
-  if (t.rim > 0.0f) {
+VNDF_FUNCTION float vndf_scale(VNDF_IN(VndfTables) t, float sigma, float d, bool plain) {
+  if (!plain && t.rim > 0.0f) {
     float m = sigma - 0.5f, edge = t.rim * d;
     return square_root(larger((edge - m) * (edge + m), 0.0f));
   }
@@ -229,11 +251,11 @@ VNDF_FUNCTION float vndf_scale(VNDF_IN(VndfTables) t, float sigma, float d) {
 
 /// The normal of a draw, of any length: its component along z is d h^2.
 VNDF_FUNCTION vec3 vndf_unstretched(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w, float sigma,
-                                    float v) {
+                                    float v, bool plain) {
   float d = sigma * (1.0f - sigma);
   // Minus slope x, which is at most the cotangent z / h.
   float x = larger((0.5f - sigma) * w.hu, -(d * w.z));
-  float y = vndf_scale(t, sigma, d) * v * w.hu;
+  float y = vndf_scale(t, sigma, d, plain) * v * w.hu;
   return make3(w.alpha_x * (w.x * x + w.y * y), w.alpha_y * (w.y * x - w.x * y), d * w.h2);
 }
 
@@ -244,10 +266,34 @@ VNDF_FUNCTION vec3 vndf_unit_or_up(vec3 m) {
   return make3(m.x * scale, m.y * scale, m.z * scale);
 }
 
+VNDF_FUNCTION vec3 vndf_sample_as(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w, float u1,
+                                  float u2, bool plain) {
+  VndfDraw draw = vndf_draw(t, w, u1, u2, plain);
+  return vndf_unit_or_up(vndf_unstretched(t, w, draw.root * draw.root, draw.v, plain));
+}
+
+VNDF_APART_FUNCTION vec3 vndf_sample_any(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w, float u1,
+                                         float u2) {
+  return vndf_sample_as(t, w, u1, u2, false);
+}
+
+/// A normal for a direction that is prepared.
 VNDF_FUNCTION vec3 vndf_sample(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w, float u1,
                                float u2) {
-  VndfDraw draw = vndf_draw(t, w, u1, u2);
-  return vndf_unit_or_up(vndf_unstretched(t, w, draw.root * draw.root, draw.v));
+  if (t.plain == 0u) return vndf_sample_any(t, w, u1, u2);
+  return vndf_sample_as(t, w, u1, u2, true);
+}
+
+VNDF_APART_FUNCTION vec3 vndf_sample_towards_any(VNDF_IN(VndfTables) t, VNDF_IN(vec3) wi,
+                                                 float alpha_x, float alpha_y, float u1, float u2) {
+  return vndf_sample_as(t, vndf_at(t, wi, alpha_x, alpha_y), u1, u2, false);
+}
+
+/// A normal for a direction that is not.
+VNDF_FUNCTION vec3 vndf_sample_towards(VNDF_IN(VndfTables) t, VNDF_IN(vec3) wi, float alpha_x,
+                                       float alpha_y, float u1, float u2) {
+  if (t.plain == 0u) return vndf_sample_towards_any(t, wi, alpha_x, alpha_y, u1, u2);
+  return vndf_sample_as(t, vndf_at(t, wi, alpha_x, alpha_y), u1, u2, true);
 }
 
 // The density of the map: the reciprocal of its Jacobian. Slope x depends on u1 alone, so that the
@@ -258,10 +304,6 @@ VNDF_FUNCTION float vndf_column_rate(VNDF_IN(VndfTables) t, float p) {
   return t.column_roots != 0u ? 1.0f / (p - t.column_offset) : 1.0f;
 }
 
-VNDF_FUNCTION float vndf_magnitude(float a) {
-  return larger(a, -a);
-}
-
 /// Of the normal `m` of the draw, before it is made a unit vector.
 VNDF_FUNCTION float vndf_draw_density(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w,
                                       VNDF_IN(VndfDraw) draw, vec3 m) {
@@ -270,13 +312,18 @@ VNDF_FUNCTION float vndf_draw_density(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirecti
   bool clamped = draw.root == t.least_root || draw.root == t.most_root;
   // The power of two by which the places of u1 above one half are larger.
   float apart = draw.upper[0] != 0u ? float_of(0x3f800000u + (t.column_upper - kVndfSign)) : 1.0f;
-  float dsigma = 2.0f * draw.root * vndf_magnitude(vndf_rate(draw.marginal, draw.f[0])) * apart *
-                 vndf_column_rate(t, draw.places[0] / apart);
+  float droot = magnitude(vndf_rate(draw.marginal, draw.f[0])) * apart *
+                vndf_column_rate(t, draw.places[0] / apart);
+  if (t.separable == 0u) {
+    float far = draw.s > t.slope_middle ? float_of(0x3f800000u + t.slope_upper) : 1.0f;
+    droot = droot * magnitude(vndf_rate(draw.map, draw.map_f)) * far;
+  }
+  float dsigma = 2.0f * draw.root * droot;
   float dv =
-      vndf_magnitude(vndf_rate(draw.conditional, draw.f[2])) * vndf_column_rate(t, draw.places[2]);
+      magnitude(vndf_rate(draw.conditional, draw.f[2])) * vndf_column_rate(t, draw.places[2]);
   float ratio = square_root(m.x * m.x + m.y * m.y + m.z * m.z) / w.h2;
   float stretch = t.unit * t.unit * w.alpha_x * w.alpha_y;
-  float jacobian = stretch * (0.5f - d) * vndf_scale(t, sigma, d) * dsigma * dv;
+  float jacobian = stretch * (0.5f - d) * vndf_scale(t, sigma, d, false) * dsigma * dv;
   float density = ratio * ratio * ratio / jacobian;
   return !hidden && !clamped && density <= kVndfLargest ? density : kVndfLargest;
 }
@@ -290,8 +337,8 @@ struct VndfSampledNormal {
 VNDF_FUNCTION VndfSampledNormal vndf_sample_with_density(VNDF_IN(VndfTables) t,
                                                          VNDF_IN(VndfDirection) w, float u1,
                                                          float u2) {
-  VndfDraw draw = vndf_draw(t, w, u1, u2);
-  vec3 m = vndf_unstretched(t, w, draw.root * draw.root, draw.v);
+  VndfDraw draw = vndf_draw(t, w, u1, u2, false);
+  vec3 m = vndf_unstretched(t, w, draw.root * draw.root, draw.v, false);
   VndfSampledNormal sampled;
   sampled.wm = vndf_unit_or_up(m);
   sampled.pdf = w.alpha_x == w.alpha_x ? vndf_draw_density(t, w, draw, m) : 0.0f;
@@ -315,12 +362,12 @@ VNDF_FUNCTION vec2 vndf_slope_of(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w
   float p = -m.x / w.alpha_x, q = -m.y / w.alpha_y;
   float x = (w.x * p + w.y * q) / h, y = (w.x * q - w.y * p) / h;
   // x over z U, as in bounded_cotangent() of table_coordinates.h.
-  float z = m.z * t.unit, far = vndf_magnitude(x);
+  float z = m.z * t.unit, far = magnitude(x);
   float upper = far + square_root(far * far + z * z);
   float part = 1.0f / (upper + z);
   float d = (upper * part) * (z * part);
   float sigma = x < 0.0f ? z * part : upper * part;
-  return make2(sigma, y * (part * upper * part) / vndf_scale(t, sigma, d));
+  return make2(sigma, y * (part * upper * part) / vndf_scale(t, sigma, d, false));
 }
 
 /// The largest u1 in one half whose sigma is not above that asked for; or u2 with its y.
@@ -330,7 +377,7 @@ VNDF_FUNCTION float vndf_bisect(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w,
   for (uint step = 0u; step < 31u && low + 1u < high; ++step) {
     uint middle = low + ((high - low) >> 1);
     float u = float_of(middle);
-    VndfDraw draw = vndf_draw(t, w, second ? given_u1 : u, second ? u : 0.5f);
+    VndfDraw draw = vndf_draw(t, w, second ? given_u1 : u, second ? u : 0.5f, false);
     if ((second ? draw.v : draw.root * draw.root) <= target)
       low = middle;
     else
@@ -352,8 +399,7 @@ VNDF_FUNCTION VndfInverse vndf_invert(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirecti
   // What lies between the ends is between two neighbours of u.
   bool inside = vndf_inside(inverse.u1) && vndf_inside(inverse.u2);
   vec3 n = vndf_sample(t, w, inverse.u1, inverse.u2);
-  float distance =
-      vndf_magnitude(m.x - n.x) + vndf_magnitude(m.y - n.y) + vndf_magnitude(m.z - n.z);
+  float distance = magnitude(m.x - n.x) + magnitude(m.y - n.y) + magnitude(m.z - n.z);
   inverse.found = inside || distance <= kVndfRangeSlack;
   return inverse;
 }
@@ -372,14 +418,14 @@ VNDF_FUNCTION float vndf_curve(VNDF_IN(VndfTables) t, VndfCurve curve, float pla
       float offset = fetch_guide(t.block, at + 16u).start;
       VndfCell cell = vndf_cell(t, begin.offset, end.offset, (x - begin.start) + offset);
       float4 cubic = fetch4(t.block, cell.offset, 0u);
-      return power_of_two(vndf_values(cubic, cubic, make4(cell.f, cell.f, cell.f, cell.f))[0]);
+      return power_of_two(vndf_value(cubic, cell.f));
     }
   }
   return 0.0f;
 }
 
 VNDF_FUNCTION bool vndf_valid(vec3 w, float alpha_x, float alpha_y) {
-  float sum = vndf_magnitude(w.x) + vndf_magnitude(w.y) + alpha_x + alpha_y;
+  float sum = magnitude(w.x) + magnitude(w.y) + alpha_x + alpha_y;
   return w.z >= 0.0f && smaller(alpha_x, alpha_y) > 0.0f && sum <= kVndfLargest;
 }
 
@@ -402,13 +448,13 @@ VNDF_FUNCTION float vndf_backfacing_area(VNDF_IN(VndfTables) t, vec3 w, float al
 
 /// Lambda of a direction or its mirror below the horizon; infinite at the horizon.
 VNDF_FUNCTION float vndf_lambda(VNDF_IN(VndfTables) t, vec3 w, float alpha_x, float alpha_y) {
-  vec3 above = make3(w.x, w.y, vndf_magnitude(w.z));
+  vec3 above = make3(w.x, w.y, magnitude(w.z));
   if (!vndf_valid(above, alpha_x, alpha_y)) return 0.0f;
   return vndf_backfacing_area(t, above, alpha_x, alpha_y) / above.z;
 }
 
 VNDF_FUNCTION float vndf_g1(VNDF_IN(VndfTables) t, vec3 w, float alpha_x, float alpha_y) {
-  vec3 above = make3(w.x, w.y, vndf_magnitude(w.z));
+  vec3 above = make3(w.x, w.y, magnitude(w.z));
   if (!vndf_valid(above, alpha_x, alpha_y) || above.z == 0.0f) return 0.0f;
   return above.z / (above.z + vndf_backfacing_area(t, above, alpha_x, alpha_y));
 }
