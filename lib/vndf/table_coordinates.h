@@ -57,6 +57,12 @@ BoundedSlope<T> bounded_from_sigma(T sigma) {
   return {sigma, T(1) - sigma};
 }
 
+/// The same slope for coordinates in double precision, in which tables are read.
+template <class T>
+BoundedSlope<double> widened(const BoundedSlope<T>& x) {
+  return {double{x.sigma}, double{x.complement}};
+}
+
 /// `x`, or `edge` where it is smaller. Each part is held by itself: near 1 sigma is rounded more
 /// coarsely than its complement, which may be beyond the edge's where sigma is not.
 template <class T>
@@ -129,6 +135,11 @@ template <class T>
 struct Probability {
   T u, complement;
 };
+
+template <class T>
+Probability<double> widened(const Probability<T>& p) {
+  return {double{p.u}, double{p.complement}};
+}
 
 /// Brings `u` into [0, 1]; not a number becomes 0.
 template <class T>
