@@ -46,8 +46,7 @@ const precompute::BuiltTables& tiny_ggx() {
 
 /// Fine tables in double precision.
 const precompute::BuiltTables& precise_ggx() {
-  static const auto tables =
-      built("ggx", {.rows = 256, .columns = 96, .in_double = true});
+  static const auto tables = built("ggx", {.rows = 256, .columns = 96, .in_double = true});
   return tables;
 }
 
@@ -387,7 +386,8 @@ TEST_CASE("where the map is flat the density is the largest number, and the rest
   REQUIRE(inside);
   const auto there = sampler.sample(wi, {1, 1}, inside->x, inside->y);
   const auto given = sampler.sample(wi, {1, 1}, u, 0.3);
-  CHECK(std::hypot(there.x - given.x, there.y - given.y, there.z - given.z) <= kInverseError<double>);
+  CHECK(std::hypot(there.x - given.x, there.y - given.y, there.z - given.z) <=
+        kInverseError<double>);
 
   // The map still covers all normals, so the visible mass of all of them is 1: by the midpoint
   // rule.

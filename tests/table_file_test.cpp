@@ -223,7 +223,8 @@ TEST_CASE("another major version is refused, before what it may have changed is 
       s.attributes.erase("mean_slope");
     };
   };
-  check_refused(version(3, 1), {"format 3.1 is newer than this program reads; use a newer program"});
+  check_refused(version(3, 1),
+                {"format 3.1 is newer than this program reads; use a newer program"});
   check_refused(version(1, 2),
                 {"format 1.2 is older than this program reads; build the table again"});
 }

@@ -102,7 +102,8 @@ TEST_CASE("tangents are the derivatives of quartics, to the ends of a row") {
   }
 }
 
-TEST_CASE("a row that begins like t^2 has no slope at its first value, one that begins like t has") {
+TEST_CASE(
+    "a row that begins like t^2 has no slope at its first value, one that begins like t has") {
   std::vector<double> flat, steep;
   for (int j = 0; j < 9; ++j) {
     const double t = j / 8.0;
@@ -181,4 +182,3 @@ TEST_CASE("a table keeps values in the precision that they are given in") {
   CHECK_FALSE(single.in_double());
   CHECK(single.lookup(0, 0.5) == double{1.0f / 3});
 }
-

@@ -50,8 +50,7 @@ std::vector<Tick> slope_ticks(const SlopeTables& t) {
   for (const double x : {0.0, 0.1, 0.5, 1.0, 2.0, 5.0})
     if (x < t.mean_slope * t.support)
       list.push_back(
-          {fmt::format("{}", x),
-           rows.row(conditional_base(bounded_from_slope(x / t.mean_slope)))});
+          {fmt::format("{}", x), rows.row(conditional_base(bounded_from_slope(x / t.mean_slope)))});
   if (t.conditional_rows.empty()) list.push_back({"∞", 1.0});
   return list;
 }

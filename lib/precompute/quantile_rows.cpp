@@ -22,8 +22,8 @@ constexpr double kFarthestStep = 1e-3;
 
 using Probabilities = std::vector<Probability<double>>;
 
-std::vector<double> marginal_values(const UnitSlopes& slopes, const MonotoneMap& map,
-                                    double base, const Probabilities& u) {
+std::vector<double> marginal_values(const UnitSlopes& slopes, const MonotoneMap& map, double base,
+                                    const Probabilities& u) {
   const VisibleSlopes visible(slopes, marginal_base_inverse(base));
   std::vector<double> values;
   double a = -1;

@@ -55,9 +55,8 @@ SampledNormal<T> TabulatedSampler<T>::sample_with_density(const Vec3<T>& wi, con
                                                           T u1, T u2) const noexcept {
   if (!valid(wi, alpha)) return {{T(0), T(0), T(1)}, T(0)};
   const FoldedProbability<T> folded = fold(probability(u2));
-  return sample_at(stretch(wi, alpha),
-                   {marginal_column(widened(probability(u1))),
-                    conditional_column(widened(folded.p)), folded.sign});
+  return sample_at(stretch(wi, alpha), {marginal_column(widened(probability(u1))),
+                                        conditional_column(widened(folded.p)), folded.sign});
 }
 
 template <class T>
@@ -135,9 +134,9 @@ auto TabulatedSampler<T>::columns_of(const Stretched& s, const Vec3<T>& wm) cons
   const T scale = conditional_scale_.at({slope.x, slope.w});
   const T v = slope.y == T(0) ? T(0)  // at the rim of a bounded support the scale is 0 too
                               : conditional_value(bounded_from_fraction(std::abs(slope.y), scale));
-  const Columns columns{tables_->marginal.inverse(marginal_row(s.c), marginal_map_.inverse(x.sigma)),
-                        tables_->conditional.inverse(conditional_row(x), v),
-                        slope.y < T(0) ? T(-1) : T(1)};
+  const Columns columns{
+      tables_->marginal.inverse(marginal_row(s.c), marginal_map_.inverse(x.sigma)),
+      tables_->conditional.inverse(conditional_row(x), v), slope.y < T(0) ? T(-1) : T(1)};
   if (!in_range(s, columns, x, v)) return {};
   return columns;
 }

@@ -20,8 +20,8 @@
 //                             q = 1 - |2 u2 - 1|: the half y >= 0, the other by symmetry
 //                      value  2 sigma(y / scale) - 1, scale = sqrt(max(0, A + B x^2)): with the A
 //                             and B that make all rows the same where that can be, as for Beckmann
-//                             and Student-T slopes, GGX among them; with A = R^2 and B = -1 where no
-//                             slope is larger than R
+//                             and Student-T slopes, GGX among them; with A = R^2 and B = -1 where
+//                             no slope is larger than R
 //   rows               a RowAxis maps the base coordinate to the row; it is the identity where rows
 //                      equidistant in it serve well
 //
