@@ -11,8 +11,7 @@ class StudentT final : public vndf::precompute::SlopeDistribution {
 };
 
 int main(int, char** argv) {
-  const auto built =
-      vndf::precompute::build_tables(StudentT(), {.layout = {.rows = 256, .columns = 256}});
+  const auto built = vndf::precompute::build_tables(StudentT(), {.layout = {.rows = 256, .columns = 256}});
   vndf::io::save(argv[1],
                  {built.tables, {"own_distribution", "own_distribution"}, built.certificate});
   std::cout << "max u-error " << built.certificate.marginal.max_u_error << '\n';
