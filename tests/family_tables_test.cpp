@@ -34,7 +34,7 @@ const std::vector<Bound> kBounds{{"student-t:gamma=1.55", 3e-5, kFamilyUError, k
                                  {"exponential-power:p=0.5"},
                                  {"exponential-power:p=16"},
                                  {"disk"},
-                                 {"annulus:inner=0.5", kFamilyUError, 2e-5, 0.1},
+                                 {"annulus:inner=0.5", kFamilyUError, kFamilyUError, 0.1},
                                  {"k:nu=1"},
                                  {"hyper-cauchy:q=1.75"},
                                  {"mixture:0.7*ggx+0.3*beckmann@0.33"},
