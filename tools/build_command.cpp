@@ -100,10 +100,9 @@ void build(const BuildArguments& arguments) {
   Size size{};
   parse_size(arguments.size, size);
   const auto built = precompute::build_tables(
-      *source.distribution,
-      {.layout = {size.rows, size.columns, arguments.precision == "double"},
-       .threads = arguments.threads,
-       .progress = progress_bar(arguments)});
+      *source.distribution, {.layout = {size.rows, size.columns, arguments.precision == "double"},
+                             .threads = arguments.threads,
+                             .progress = progress_bar(arguments)});
   if (!arguments.quiet) warn_of_errors(built.certificate);
   const io::TableFile file{built.tables,
                            {.recipe = recipe(arguments, source.options, size),

@@ -36,9 +36,6 @@ Probability<double> conditional_u2(double t) {
 Probability<float> narrow(const Probability<double>& p) {
   return {static_cast<float>(p.u), static_cast<float>(p.complement)};
 }
-Probability<double> widen(const Probability<float>& p) {
-  return {p.u, p.complement};
-}
 
 /// One row of one table: the exact CDF, with complement, of what the sampler returns for u, in
 /// single and in double precision.
@@ -52,7 +49,7 @@ struct Row {
 
   /// u as the judged precision holds it.
   Probability<double> given(const Probability<double>& u) const {
-    return in_double ? u : widen(narrow(u));
+    return in_double ? u : widened(narrow(u));
   }
   Probability<double> sampled(const Probability<double>& u) const {
     return in_double ? sampled_double(u) : sampled_single(narrow(u));
@@ -232,7 +229,7 @@ struct Judge {
 };
 
 TableErrors judge_marginal(const Judge& judge, const Workers& workers) {
-  const RowAxis<double> rows(judge.sampler.tables().marginal_rows);
+  const RowAxis rows(judge.sampler.tables().marginal_rows);
   std::vector<Judge::Direction> directions;
   for (const double row : off_grid_rows(judge.sampler.tables().marginal.rows(), kRows))
     directions.push_back(Judge::direction(marginal_base_inverse(rows.base(row))));
@@ -246,7 +243,7 @@ TableErrors judge_marginal(const Judge& judge, const Workers& workers) {
 
 TableErrors judge_conditional(const Judge& judge, const Workers& workers) {
   const SlopeTables& tables = judge.sampler.tables();
-  const RowAxis<double> rows(tables.conditional_rows);
+  const RowAxis rows(tables.conditional_rows);
   std::vector<double> reached;
   for (const double row : off_grid_rows(tables.conditional.rows(), kRows)) {
     const double x = conditional_base_inverse(rows.base(row));
