@@ -67,7 +67,7 @@ TEST_CASE("build --json prints one object with sizes, seconds, bytes and the cer
   const auto report =
       nlohmann::json::parse(folder.run("build beckmann -o b.exr --size 24x40 --json").out);
   CHECK(report.at("marginal_size") == nlohmann::json{24, 40});
-  CHECK(report.at("conditional_size") == nlohmann::json{1, 40});
+  CHECK(report.at("conditional_size") == nlohmann::json{24, 40});
   CHECK(report.at("bytes") == fs::file_size(folder / "b.exr"));
   CHECK(report.at("seconds") > 0);
   CHECK(report.at("mass").get<double>() == Approx(1));
@@ -239,7 +239,8 @@ TEST_CASE("the ends of u1 are minus infinity and cot(theta)") {
   const Result r =
       folder.run("sample ggx.h5 --stdin", "0.6 0 0.8 1 1 0 0.5\n0.6 0 0.8 1 1 1 0.5\n");
   CHECK_THAT(r.out, contains("-inf "));
-  CHECK(numbers(r.out.substr(r.out.find('\n') + 1))[0] == Approx(4.0 / 3).epsilon(1e-6));
+  // Between the rows of tables of 32 x 48 the end errs like everything else, by 5.5e-5 here.
+  CHECK(numbers(r.out.substr(r.out.find('\n') + 1))[0] == Approx(4.0 / 3).epsilon(1e-4));
 }
 
 TEST_CASE("sample --double answers in double precision") {
@@ -304,10 +305,10 @@ TEST_CASE("without gnuplot a picture is refused in words, and nothing is left be
 TEST_CASE("bench --quick prints a table, writes JSON and draws the picture") {
   const Folder folder;
   const Result r = folder.run(
-      "bench --quick --repetitions 1 --distribution ggx --only 'cubic 16' hemisphere "
+      "bench --quick --repetitions 1 --distribution ggx --only 'linear 16' hemisphere "
       "--json speed.json --plot speed.svg");
   CHECK(r.status == 0);
-  CHECK_THAT(r.out, contains("ggx caps as published") && contains("ggx cubic 16") &&
+  CHECK_THAT(r.out, contains("ggx caps as published") && contains("ggx linear 16") &&
                         contains("ggx hemisphere") && contains("u-error"));
   const auto json = nlohmann::json::parse(content(folder / "speed.json"));
   CHECK(json.at("entries").size() == 3);

@@ -62,8 +62,7 @@ TEST_CASE("the field holds the baseline first, references and tables") {
   for (const Entrant& e : list) names.insert(e.name);
   CHECK(names.size() == list.size());
   for (const std::string& d : kUsualDistributions)
-    for (const char* what : {" literal 1024", " linear 16"})
-      CHECK(names.count(d + what) == 1);
+    for (const char* what : {" literal 1024", " linear 16"}) CHECK(names.count(d + what) == 1);
   CHECK(names.count("beckmann analytic") == 1);
   CHECK(names.count("ggx caps") == 1);
 }

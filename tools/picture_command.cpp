@@ -34,7 +34,7 @@ std::string ticks(const std::vector<Tick>& list) {
 }
 
 std::vector<Tick> theta_ticks(const SlopeTables& t) {
-  const RowAxis<double> rows(t.marginal_rows);
+  const RowAxis rows(t.marginal_rows);
   std::vector<Tick> list;
   for (const double degrees : {0.0, 1.0, 5.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0}) {
     const double theta = degrees * std::numbers::pi / 180;
@@ -45,7 +45,7 @@ std::vector<Tick> theta_ticks(const SlopeTables& t) {
 }
 
 std::vector<Tick> slope_ticks(const SlopeTables& t) {
-  const RowAxis<double> rows(t.conditional_rows);
+  const RowAxis rows(t.conditional_rows);
   std::vector<Tick> list;
   for (const double x : {0.0, 0.1, 0.5, 1.0, 2.0, 5.0})
     if (x < t.mean_slope * t.support)

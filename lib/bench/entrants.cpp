@@ -184,11 +184,10 @@ void add_tables(std::vector<Entrant>& list, const std::string& spec, const Field
     const std::string size = std::to_string(side);
     list.push_back({spec + " literal " + size, spec, Kind::literal, side,
                     [d, side] { return literal(*d, side); }});
-    list.push_back({spec + " linear " + size, spec, Kind::table, side, [d, side] {
-                      return tabulated([&] {
-                        return precompute::build_tables(*d, {.layout = {side, side}});
-                      });
-                    }});
+    list.push_back(
+        {spec + " linear " + size, spec, Kind::table, side, [d, side] {
+           return tabulated([&] { return precompute::build_tables(*d, {.layout = {side, side}}); });
+         }});
   }
 }
 

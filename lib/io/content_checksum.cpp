@@ -30,20 +30,12 @@ void add_text(Crc64& crc, std::string_view text) {
   crc.add(text);
 }
 
-template <class V>
-void add_row(Crc64& crc, const std::vector<V>& row) {
-  if constexpr (std::endian::native == std::endian::little)
-    crc.add({reinterpret_cast<const char*>(row.data()), row.size() * sizeof(V)});
-  else
-    std::for_each(row.begin(), row.end(), [&](V value) { add_number(crc, value); });
-}
-
 void add_table(Crc64& crc, const QuantileTable& table) {
   add_count(crc, table.rows());
   add_count(crc, table.columns());
   for (std::size_t i = 0; i < table.rows(); ++i)
-    table.in_double() ? add_row(crc, table.row_values<double>(i))
-                      : add_row(crc, table.row_values(i));
+    for (const double value : table.row_values(i))
+      table.in_double() ? add_number(crc, value) : add_number(crc, static_cast<float>(value));
 }
 
 void add_axis(Crc64& crc, const std::vector<RowKnot>& knots) {

@@ -48,10 +48,8 @@ template <class V>
 std::vector<V> values_of(const QuantileTable& table) {
   std::vector<V> values;
   values.reserve(table.rows() * table.columns());
-  for (std::size_t i = 0; i < table.rows(); ++i) {
-    const auto row = table.row_values<V>(i);
-    values.insert(values.end(), row.begin(), row.end());
-  }
+  for (std::size_t i = 0; i < table.rows(); ++i)
+    for (const double v : table.row_values(i)) values.push_back(static_cast<V>(v));
   return values;
 }
 

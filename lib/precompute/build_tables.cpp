@@ -90,7 +90,7 @@ Workers reporting(const BuildOptions& options, std::size_t before) {
 void set_marginal(SlopeTables& tables, const UnitSlopes& slopes, const TableLayout& layout,
                   const Workers& workers) {
   tables.marginal_map = marginal_map(slopes);
-  const MonotoneMap<double> map(tables.marginal_map);
+  const MonotoneMap map(tables.marginal_map);
   PlacedTable placed = fill_table(marginal_rows(slopes, map), layout, workers);
   tables.marginal = std::move(placed.table);
   tables.marginal_rows = std::move(placed.knots);

@@ -51,7 +51,7 @@ QuantileTable table_of(const Rows& rows, const TableLayout& layout) {
 
 PlacedTable fill_table(const RowSource& source, const TableLayout& layout, const Workers& workers) {
   const auto knots = place_rows(source, layout.rows, {workers.threads});
-  const RowAxis<double> axis(knots);
+  const RowAxis axis(knots);
   const auto u = columns_of(source, layout.columns);
   Rows rows(layout.rows);
   parallel_for(rows.size(), workers, [&](std::size_t i) {

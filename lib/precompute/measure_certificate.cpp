@@ -21,9 +21,6 @@ constexpr double kDegree = std::numbers::pi / 180;
 Probability<float> narrow(const Probability<double>& p) {
   return {static_cast<float>(p.u), static_cast<float>(p.complement)};
 }
-Probability<double> widen(const Probability<float>& p) {
-  return {p.u, p.complement};
-}
 
 /// A row of which the CDFs are known, with complement, of what the sampler returns for u, in single
 /// and in double precision.
@@ -34,7 +31,7 @@ class PairRow final : public RowMap {
       : single_(in_single), double_(in_double), in_double_(judged_in_double) {}
 
   Probability<double> given(const Probability<double>& u) const override {
-    return in_double_ ? u : widen(narrow(u));
+    return in_double_ ? u : widened(narrow(u));
   }
   Probability<double> cdf(const Probability<double>& u) const override {
     return in_double_ ? double_(u) : single_(narrow(u));
@@ -118,7 +115,7 @@ struct Judge {
 };
 
 TableErrors judge_marginal(const Judge& judge, const Workers& workers) {
-  const RowAxis<double> rows(judge.sampler.tables().marginal_rows);
+  const RowAxis rows(judge.sampler.tables().marginal_rows);
   std::vector<Judge::Direction> directions;
   for (const double row : off_grid_rows(judge.sampler.tables().marginal.rows(), kJudgedRows))
     directions.push_back(Judge::direction(marginal_base_inverse(rows.base(row))));
@@ -130,7 +127,7 @@ TableErrors judge_marginal(const Judge& judge, const Workers& workers) {
 
 TableErrors judge_conditional(const Judge& judge, const Workers& workers) {
   const SlopeTables& tables = judge.sampler.tables();
-  const RowAxis<double> rows(tables.conditional_rows);
+  const RowAxis rows(tables.conditional_rows);
   std::vector<double> reached;
   for (const double row : off_grid_rows(tables.conditional.rows(), kJudgedRows)) {
     const double x = conditional_base_inverse(rows.base(row));

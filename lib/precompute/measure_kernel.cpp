@@ -65,6 +65,8 @@ class FollowedCubic {
         upper_(draw.upper[lane] != 0),
         start_(double{draw.places[lane]} - double{draw.f[lane]}) {
     if (lane == 0 && upper_) apart_ = apart(tables.column_upper - kernel::kVndfSign);
+    mirrored_ = lane != 0 && tables.separable == 0 && draw.places[lane] > tables.column_span / 2;
+    if (mirrored_) apart_ = apart(tables.column_mirror);
   }
 
   bool upper() const { return upper_; }
@@ -73,13 +75,13 @@ class FollowedCubic {
     const double q = upper_ ? u.complement : u.u;
     const double p =
         tables_.column_roots != 0 ? std::sqrt(2 * q) + double{tables_.column_offset} : q;
-    return value(cubic_, apart_ * p - start_);
+    return value(cubic_, apart_ * (mirrored_ ? tables_.column_span - p : p) - start_);
   }
 
  private:
   const VndfTables& tables_;
   kernel::float4 cubic_;
-  bool upper_;
+  bool upper_, mirrored_;
   double apart_ = 1, start_;
 };
 
@@ -165,7 +167,7 @@ class MarginalRow final : public RowMap {
 
  private:
   VndfDraw draw(const Probability<double>& u) const {
-    return vndf_draw(tables_, direction_, kernel_u(u), 0.5f, false);
+    return vndf_draw(tables_, direction_, kernel_u(u), 0.5f, kernel::kVndfAny);
   }
   /// At most the cotangent, as the kernel gives it.
   Probability<double> cdf_of(double sigma) const {
@@ -208,7 +210,7 @@ class ConditionalRow final : public RowMap {
 
  private:
   VndfDraw draw(const Probability<double>& u) const {
-    return vndf_draw(tables_, place_.direction, place_.u1, kernel_u(u), false);
+    return vndf_draw(tables_, place_.direction, place_.u1, kernel_u(u), kernel::kVndfAny);
   }
   Probability<double> cdf_of(double v) const {
     if (std::isnan(v)) return kNoProbability;
@@ -255,11 +257,11 @@ struct Judge {
   SlopePlace place_of(double x) const {
     const VndfDirection w = at(x > 0 ? Direction{1, 0} : Direction{0, 1});
     const auto sigma = bounded_from_slope(x * slopes.mean_slope() / tables.unit).sigma;
-    return {w, vndf_bisect(tables, w, static_cast<float>(sigma), 0.5f, false)};
+    return {w, vndf_bisect(tables, w, static_cast<float>(sigma), 0.5f, kernel::kVndfAny)};
   }
 
   float sigma_at(const SlopePlace& place) const {
-    const float root = vndf_draw(tables, place.direction, place.u1, 0.5f, false).root;
+    const float root = vndf_draw(tables, place.direction, place.u1, 0.5f, kernel::kVndfAny).root;
     return root * root;
   }
 

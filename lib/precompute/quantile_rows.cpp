@@ -22,8 +22,8 @@ constexpr double kFarthestStep = 1e-3;
 
 using Probabilities = std::vector<Probability<double>>;
 
-std::vector<double> marginal_values(const UnitSlopes& slopes, const MonotoneMap<double>& map,
-                                    double base, const Probabilities& u) {
+std::vector<double> marginal_values(const UnitSlopes& slopes, const MonotoneMap& map, double base,
+                                    const Probabilities& u) {
   const VisibleSlopes visible(slopes, marginal_base_inverse(base));
   std::vector<double> values;
   double a = -1;
@@ -61,7 +61,7 @@ double farthest_sampled(const UnitSlopes& slopes) {
 
 }  // namespace
 
-RowSource marginal_rows(const UnitSlopes& slopes, const MonotoneMap<double>& map) {
+RowSource marginal_rows(const UnitSlopes& slopes, const MonotoneMap& map) {
   RowSource source{[&slopes, &map](double base, const Probabilities& u) {
                      return marginal_values(slopes, map, base, u);
                    },

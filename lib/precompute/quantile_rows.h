@@ -11,7 +11,7 @@ namespace vndf::precompute {
 
 /// Both refer to their arguments, which must outlive them: `map` is that of marginal_map.h, `scale`
 /// the unit of the slopes y.
-RowSource marginal_rows(const UnitSlopes& slopes, const MonotoneMap<double>& map);
+RowSource marginal_rows(const UnitSlopes& slopes, const MonotoneMap& map);
 RowSource conditional_rows(const UnitSlopes& slopes, const ConditionalScale<double>& scale);
 
 }  // namespace vndf::precompute

@@ -27,7 +27,7 @@ using namespace baking;
 // below it, where they are seldom seen but values must not run away.
 constexpr double kTailError = 0.08, kLeastTail = 0x1p-21, kLeastTailError = 0.8;
 // Differences below these roundings of a value count as none.
-constexpr double kRounding = 0x1p-24;
+constexpr double kRounding = 0x1p-22;
 // Where the errors of a cell are looked at, as parts of its width.
 constexpr std::array<double, 5> kPlacesInColumn{0.12, 0.3, 0.5, 0.7, 0.88};
 constexpr std::array<double, 3> kPlacesInRow{0.1, 0.45, 0.9};
@@ -37,22 +37,31 @@ constexpr double kShare = 0.45;
 // Shares that are tried after it where the tables as made differ by more than the tolerance.
 constexpr std::array<double, 3> kShares{kShare, 0.7 * kShare, 0.5 * kShare};
 
-/// The column axis: places p of probabilities q = min(u, 1 - u).
+/// The column axis: places p of probabilities q = min(u, 1 - u), or their mirrors in the middle.
 struct Columns {
   bool roots;
   double offset;  ///< of roots
-  int octaves;    ///< places above one half are this power of two larger
+  int octaves;    ///< places above one half are this power of two larger, and so are mirrors
+  bool half = false, mirrored = false;
 
   double least() const { return roots ? offset : 0x1p-25; }
-  double most() const { return roots ? 1 + offset : 0.5; }
-  double probability(double p) const {
+  double most() const { return half ? span() / 2 : roots ? 1 + offset : 0.5; }
+  /// What a place and its mirror add up to; not less than the least place and the most do.
+  double span() const { return roots ? 1 + 2 * offset : 0.5 + 0x1p-24; }
+  double probability(double place) const {
     constexpr double kLeastRoot = 0x1p-13;  // of the least q, 2^-27
-    if (!roots) return p;
+    const double p = mirrored ? span() - place : place;
+    if (!roots) return std::min(p, 0.5);
     const double root = std::max(p - offset, kLeastRoot);
-    return root * root / 2;
+    return std::min(root * root / 2, 0.5);
   }
   /// dq / dp.
-  double rate(double p) const { return roots ? p - offset : 1; }
+  double rate(double place) const {
+    if (!roots) return mirrored ? -1 : 1;
+    return mirrored ? -(span() - place - offset) : place - offset;
+  }
+  /// The half of it below the middle, or above.
+  Columns halved(bool above) const { return {roots, offset, octaves, true, above}; }
 };
 // The least place above one half, 2^-25 of p, is to have another key than 1/2 below it.
 constexpr Columns kByProbability{false, 0, 25}, kByRoot{true, 0x1p-8, 9};
@@ -101,10 +110,10 @@ bool follows_column(const Surface& surface, const Columns& columns, const Criter
                     double row, double begin, double end) {
   const Cubic cubic = hermite(node_at(surface, columns, row, begin),
                               node_at(surface, columns, row, end), end - begin);
-  return std::ranges::all_of(kPlacesInColumn, [&](double f) {
-    const double p = begin + f * (end - begin), q = columns.probability(p);
-    return criterion.accepts(baking::at(cubic, p - begin), surface.at(row, q), q);
-  });
+  return keeps_its_way(cubic, end - begin) && std::ranges::all_of(kPlacesInColumn, [&](double f) {
+           const double p = begin + f * (end - begin), q = columns.probability(p);
+           return criterion.accepts(baking::at(cubic, p - begin), surface.at(row, q), q);
+         });
 }
 
 /// The cells of columns in which one cubic follows each of `rows`.
@@ -197,7 +206,7 @@ struct Plan {
   double unit;
   Columns columns;
   Axis directions = {}, lower = {}, upper = {};  // of the marginal: rows, columns around 1/2
-  Axis conditional = {};                         // columns of the conditional
+  Axis conditional = {}, mirrored = {};          // columns of the conditional
   std::array<SlopeHalf, 2> slopes = {};          // below and above s0, unless separable
   double direction_offset = 0x1p-8, slope_offset = 0x1p-8;
   bool separable = false;
@@ -210,9 +219,11 @@ struct Plan {
   std::size_t bytes() const {
     const std::size_t row = 64 * directions.cells.size();
     const std::size_t cell = separable ? 16 : 64 * slope_rows();
-    const std::size_t keys = 2 * lower.count() + conditional.count() + directions.count();
+    const std::size_t keys =
+        2 * lower.count() + (separable ? 1 : 2) * conditional.count() + directions.count();
     std::size_t sum = row * (lower.cells.size() + upper.cells.size()) +
-                      cell * conditional.cells.size() + sizeof(kernel::Guide) * keys;
+                      cell * (conditional.cells.size() + mirrored.cells.size()) +
+                      sizeof(kernel::Guide) * keys;
     if (separable) return sum;
     for (const SlopeHalf& half : slopes)
       sum += 16 * half.map.cells.size() + 2 * sizeof(kernel::Guide) * half.map.count();
@@ -255,8 +266,12 @@ bool follows_map(const PairSlopes& slopes, const Criterion& criterion, bool uppe
 /// The cells over s, which share a guide and so have keys of as many bits.
 void lay_slopes(Plan& plan, const PairSlopes& slopes, const Criterion& criterion) {
   const double offset = plan.slope_offset;
-  auto qs = plan.conditional.cells.empty() ? usual_probabilities()
-                                           : probabilities_of(plan.columns, plan.conditional);
+  auto qs = usual_probabilities();
+  if (!plan.conditional.cells.empty()) {
+    qs = probabilities_of(plan.columns.halved(false), plan.conditional);
+    const auto more = probabilities_of(plan.columns.halved(true), plan.mirrored);
+    qs.insert(qs.end(), more.begin(), more.end());
+  }
   for (const int bits : {5, 6, 7}) {
     bool too_coarse = false;
     for (const bool upper : {false, true}) {
@@ -311,8 +326,15 @@ void lay_columns(Plan& plan, const PairSlopes& slopes, const Criterion& criterio
   for (const int bits : {4, 6}) {
     plan.lower = column_cells(lower, plan.columns, criterion, directions, bits);
     plan.upper = column_cells(upper, plan.columns, criterion, directions, bits);
-    plan.conditional = column_cells(conditional, plan.columns, criterion, xs, bits);
-    if (!plan.lower.too_coarse && !plan.upper.too_coarse && !plan.conditional.too_coarse) return;
+    if (plan.separable) {
+      plan.conditional = column_cells(conditional, plan.columns, criterion, xs, bits);
+    } else {
+      plan.conditional = column_cells(conditional, plan.columns.halved(false), criterion, xs, bits);
+      plan.mirrored = column_cells(conditional, plan.columns.halved(true), criterion, xs, bits);
+    }
+    if (!plan.lower.too_coarse && !plan.upper.too_coarse && !plan.conditional.too_coarse &&
+        !plan.mirrored.too_coarse)
+      return;
   }
 }
 
@@ -448,12 +470,15 @@ void put_conditional(KernelBlock& block, KernelHeader& h, const Plan& plan,
     h.conditional = block.put_guide(plan.conditional, first, 16);
     return;
   }
-  for (const AxisCell& column : plan.conditional.cells)
-    for (const bool upper : {false, true})
-      put_column(block, conditional_surface(slopes, upper), plan.columns, column,
-                 plan.slopes[upper ? 1 : 0].rows, plan.slope_offset, 0, upper ? kSlopeOctaves : 0);
-  h.conditional =
-      block.put_guide(plan.conditional, first, static_cast<std::uint32_t>(64 * plan.slope_rows()));
+  const int octaves = plan.columns.octaves;
+  for (const bool mirrored : {false, true})
+    for (const AxisCell& column : (mirrored ? plan.mirrored : plan.conditional).cells)
+      for (const bool upper : {false, true})
+        put_column(block, conditional_surface(slopes, upper), plan.columns.halved(mirrored), column,
+                   plan.slopes[upper ? 1 : 0].rows, plan.slope_offset, mirrored ? octaves : 0,
+                   upper ? kSlopeOctaves : 0);
+  h.conditional = block.put_guide(both_halves(plan.conditional, plan.mirrored, octaves), first,
+                                  static_cast<std::uint32_t>(64 * plan.slope_rows()));
   put_slopes(block, h, plan, slopes);
 }
 
@@ -472,6 +497,8 @@ KernelHeader header_of(const Plan& plan, const PairSlopes& slopes, const SlopeTa
   h.most_root = kMostRoot;
   h.direction_offset = static_cast<float>(plan.direction_offset);
   h.column_offset = static_cast<float>(plan.columns.offset);
+  h.column_span = static_cast<float>(plan.columns.span());
+  h.column_mirror = static_cast<std::uint32_t>(plan.columns.octaves) << 23;
   h.column_upper = kernel::kVndfSign + (static_cast<std::uint32_t>(plan.columns.octaves) << 23);
   h.column_roots = plan.columns.roots ? 1 : 0;
   h.separable = plan.separable ? 1 : 0;
@@ -532,7 +559,7 @@ Differences differences(const KernelTables& tables, const PairSlopes& slopes) {
     const double row = slopes.direction_row(double{wi.x} / (double{wi.x} + double{wi.z}));
     for (std::size_t k = 0; k < kDraws; ++k) {
       const float u1 = golden_u(k + i), u2 = golden_u(7 * k + 3 * i);
-      const kernel::VndfDraw draw = kernel::vndf_draw(t, at, u1, u2, false);
+      const kernel::VndfDraw draw = kernel::vndf_draw(t, at, u1, u2, kernel::kVndfAny);
       const bool upper = u1 > 0.5f;
       const double q = upper ? 1 - double{u1} : double{u1};
       const double found = slopes.marginal_inverse(row, draw.root, upper);
@@ -540,7 +567,9 @@ Differences differences(const KernelTables& tables, const PairSlopes& slopes) {
       const double q2 = std::min(double{u2}, 1 - double{u2});
       const double sigma = double{draw.root} * draw.root;
       const Node y = slopes.conditional(std::abs(sigma - 0.5) / (sigma * (1 - sigma)), q2);
-      worst.y = std::max(worst.y, std::abs((-std::abs(double{draw.v}) - y.value) / y.derivative));
+      const double difference = std::abs(std::abs(double{draw.v}) + y.value);
+      if (difference > kRounding * std::abs(y.value))
+        worst.y = std::max(worst.y, difference / std::abs(y.derivative));
     }
   }
   return worst;

@@ -79,6 +79,9 @@ class Segment {
   }
 
   bool follows(double begin, double end) const {
+    // Of a longer cell all places would be far from its beginning.
+    constexpr double kLongest = 4;
+    if (end > kLongest * begin && log2_(slope_at(begin)) >= kNothing) return false;
     const Cubic c = cubic(begin, end);
     return std::ranges::all_of(kPlaces, [&](double f) {
       const double exact = log2_(slope_at(begin + f * (end - begin)));

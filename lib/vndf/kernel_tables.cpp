@@ -87,15 +87,13 @@ class Checker {
     const float low = h.column_roots != 0 ? h.column_offset : kernel::kVndfLeastU;
     const float high = h.column_roots != 0 ? 1 + h.column_offset : 0.5f;
     const std::uint32_t upper = h.column_upper - kernel::kVndfSign;
-    require(h.column_upper >= kernel::kVndfSign && (upper & 0x7fffff) == 0 && upper >= 0x800000 &&
-                upper <= 0x20000000,
-            "the halves of u1 are not a power of two apart");
+    require_apart(upper);
     require_keys(h.direction, key(h.direction_offset, h.direction),
                  key(1 + h.direction_offset, h.direction));
     require_keys(h.marginal, key(low, h.marginal), key(high, h.marginal));
     require_keys(h.marginal, key(raised(low, upper), h.marginal),
                  key(raised(high, upper), h.marginal));
-    require_keys(h.conditional, key(low, h.conditional), key(high, h.conditional));
+    check_second_columns(low, high);
     require(h.marginal.shift == h.conditional.shift, "the columns of the tables differ in shift");
     const std::size_t patch = h.separable != 0 ? kCubicBytes : kPatchBytes;
     std::size_t row = 0;
@@ -104,6 +102,24 @@ class Checker {
     }
     require_inside(largest_offset(h.marginal) + largest_offset(h.direction) + kPatchBytes);
     require_inside(largest_offset(h.conditional) + row + patch);
+  }
+
+  void check_second_columns(float low, float high) const {
+    const KernelHeader& h = header();
+    if (h.separable != 0)
+      return require_keys(h.conditional, key(low, h.conditional), key(high, h.conditional));
+    const float middle = h.column_span / 2;
+    require(middle > low && middle < high, "the middle of the columns is not between their ends");
+    require_apart(h.column_mirror);
+    for (const std::uint32_t mirrored : {0u, h.column_mirror})
+      require_keys(h.conditional, key(raised(low, mirrored), h.conditional),
+                   key(raised(middle, mirrored), h.conditional));
+  }
+
+  /// What is added to the bits of a place to make it some power of two larger.
+  static void require_apart(std::uint32_t added) {
+    require((added & 0x7fffff) == 0 && added >= 0x800000 && added <= 0x20000000,
+            "the halves of an axis are not a power of two apart");
   }
 
   /// The largest distance of a row of patches from the first.
@@ -316,13 +332,16 @@ Kernel KernelTables::kernel() const {
   t.column_upper = h.column_upper;
   t.column_roots = h.column_roots;
   t.column_offset = h.column_offset;
+  t.column_span = h.column_span;
+  t.column_mirror = h.column_mirror;
   t.marginal_guide = guide(h.marginal);
   t.conditional_guide = guide(h.conditional);
   t.slope_guide = h.slope.guide - (h.slope.first_key << 4);
   t.slope_upper = h.slope_upper;
   t.slope_shift = h.slope.shift;
   t.separable = h.separable;
-  t.plain = h.separable != 0 && h.rim == 0 && h.column_roots == 0 ? 1 : 0;
+  const bool plain = h.separable != 0 && h.rim == 0 && h.column_roots == 0;
+  t.kind = plain ? kernel::kVndfPlain : kernel::kVndfAny;
   t.ndf = h.ndf;
   t.backfacing = h.backfacing;
   t.block.bytes = reinterpret_cast<const unsigned char*>(bytes_.data());

@@ -53,13 +53,13 @@ struct KernelHeader {
   KernelAxis slope;  ///< its guide has two entries for each key
   float unit, scale_root, scale_constant, rim;
   float least_root, most_root, direction_offset, slope_middle, slope_offset, slope_most,
-      column_offset, map_offset;
-  std::uint32_t column_upper, column_roots, slope_upper, separable;
+      column_offset, column_span;
+  std::uint32_t column_upper, column_mirror, column_roots, slope_upper, separable;
   kernel::VndfCurve ndf, backfacing;
   std::uint32_t text, text_bytes;  ///< distribution, recipe, program, input checksum, notes, each
                                    ///< with a 0 after it
   std::uint32_t certified;         ///< 1 where the certificate was measured against the exact law
-  std::uint32_t reserved[3];
+  std::uint32_t reserved[1];
   double tolerance;                   ///< that it was baked for
   double difference_x, difference_y;  ///< largest differences in u from the pair
   std::array<double, 25> certificate;

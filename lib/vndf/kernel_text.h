@@ -20,7 +20,9 @@
 //               apart, q = min(u1, 1 - u1): both ends are seen in full relative precision. Where
 //               tables are to be small p = sqrt(2 q) + an offset instead, in which x is smooth
 //               towards c
-//   u2          p, for the law is symmetric; slope_y has the sign of u2 - 1/2
+//   u2          p, for the law is symmetric; slope_y has the sign of u2 - 1/2. Where rows of y are
+//               needed too, p and its mirror in the middle of the axis, again a power of two apart:
+//               hollow and pointed laws are steep at u2 = 1/2
 //   slope x     |sigma - 1/2| + offset
 //
 //   s           s + an offset
@@ -51,10 +53,12 @@ struct VndfTables {
   uint column_upper;  ///< what is added to the bits of -p for u1 above one half
   uint column_roots;  ///< 1 where p is a root, 0 where it is q
   float column_offset;
+  float column_span;   ///< what p of u2 and its mirror add up to
+  uint column_mirror;  ///< what is added to the bits of a mirrored p
   uint marginal_guide, conditional_guide;
   uint slope_guide, slope_shift;  ///< with two entries a key: of the map, and of rows of y
   uint slope_upper;               ///< what is added to the bits of p for s above one half
-  uint plain;      ///< 1 where the tables are separable, without a rim, and their columns by q
+  uint kind;                      ///< kVndfPlain or kVndfAny
   uint separable;  ///< 1 where y over its scale does not depend on x, 0 where it has rows in x
   VndfCurve ndf, backfacing;
   Block block;
@@ -88,6 +92,10 @@ const float kVndfLongest = 1e12f;
 const float kVndfLeast = 1.17549435e-38f;    // of the numbers that keep their digits
 const float kVndfLargest = 3.402823466e38f;  // a density where many u give one normal
 const float kVndfFarthest = 1.26765060e30f;  // 2^100: slopes beyond it are taken for it
+// What is known of tables when a sampler is compiled: that they are separable, without a rim, and
+// their columns by q; or nothing, which is right for all.
+const uint kVndfPlain = 0u;
+const uint kVndfAny = 1u;
 const uint kVndfSign = 0x80000000u;
 
 /// Whether a is in [low, high), two positive numbers; one comparison of bits, in which what is no
@@ -197,9 +205,20 @@ VNDF_FUNCTION float4 vndf_root_columns(VNDF_IN(VndfTables) t, float4 q) {
   return floats_of(bits_of(roots + offset) ^ signs);
 }
 
-/// `plain` says what t.plain does, where that is known; false is always right.
+/// The places of u2 mirrored beyond the middle; those of u1 are left as they are.
+VNDF_FUNCTION uint4 vndf_mirrored(VNDF_IN(VndfTables) t, float4 places) {
+  float4 span = make4(kVndfLargest, kVndfLargest, t.column_span, t.column_span);
+  float4 mirror = span - places;
+  uint4 added = make_uint4(0u, 0u, t.column_mirror, t.column_mirror);
+  return bits_of(smaller(places, mirror)) + (sign_mask(mirror - places) & added);
+}
+
+VNDF_FUNCTION bool vndf_separable(VNDF_IN(VndfTables) t, uint kind) {
+  return kind == kVndfPlain || (kind == kVndfAny && t.separable != 0u);
+}
+
 VNDF_FUNCTION VndfDraw vndf_draw(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) d, float u1,
-                                 float u2, bool plain) {
+                                 float u2, uint kind) {
   VndfDraw draw;
   // Adding and taking away 1.5 x 2^23 rounds to a whole number: q = u below one half, u - 1 above.
   float4 whole = make4(12582912.0f, 12582912.0f, 12582912.0f, 12582912.0f);
@@ -208,17 +227,18 @@ VNDF_FUNCTION VndfDraw vndf_draw(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) d
   float4 u = smaller(larger(make4(u1, u1, u2, u2), least), most);
   float4 q = u - ((u + whole) - whole);
   draw.upper = sign_mask(q);
-  if (!plain && t.column_roots != 0u) q = vndf_root_columns(t, q);
+  if (kind == kVndfAny && t.column_roots != 0u) q = vndf_root_columns(t, q);
   uint4 halves = make_uint4(t.column_upper, t.column_upper, kVndfSign, kVndfSign);
   uint4 places = bits_of(q) + (draw.upper & halves);
+  if (!vndf_separable(t, kind)) places = vndf_mirrored(t, floats_of(places));
+  draw.places = floats_of(places);
   uint4 keys = places >> t.column_shift;
   Guide column1 = fetch_guide(t.block, t.marginal_guide + (keys[0] << 3));
   Guide column2 = fetch_guide(t.block, t.conditional_guide + (keys[2] << 3));
-  draw.places = floats_of(places);
   draw.f = draw.places - make4(column1.start, column1.start, column2.start, column2.start);
   draw.marginal = vndf_blend(t, column1.offset + d.row, d.g);
   float4 values;
-  if (plain || t.separable != 0u) {
+  if (vndf_separable(t, kind)) {
     draw.conditional = fetch4(t.block, column2.offset, 0u);
     values = vndf_values(draw.marginal, draw.conditional, draw.f);
     draw.root = vndf_between(t, values[0]);
@@ -239,8 +259,8 @@ VNDF_FUNCTION VndfDraw vndf_draw(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) d
 }
 
 /// The scale of slope y, times d.
-VNDF_FUNCTION float vndf_scale(VNDF_IN(VndfTables) t, float sigma, float d, bool plain) {
-  if (!plain && t.rim > 0.0f) {
+VNDF_FUNCTION float vndf_scale(VNDF_IN(VndfTables) t, float sigma, float d, uint kind) {
+  if (kind == kVndfAny && t.rim > 0.0f) {
     float m = sigma - 0.5f, edge = t.rim * d;
     return square_root(larger((edge - m) * (edge + m), 0.0f));
   }
@@ -251,11 +271,11 @@ VNDF_FUNCTION float vndf_scale(VNDF_IN(VndfTables) t, float sigma, float d, bool
 
 /// The normal of a draw, of any length: its component along z is d h^2.
 VNDF_FUNCTION vec3 vndf_unstretched(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w, float sigma,
-                                    float v, bool plain) {
+                                    float v, uint kind) {
   float d = sigma * (1.0f - sigma);
   // Minus slope x, which is at most the cotangent z / h.
   float x = larger((0.5f - sigma) * w.hu, -(d * w.z));
-  float y = vndf_scale(t, sigma, d, plain) * v * w.hu;
+  float y = vndf_scale(t, sigma, d, kind) * v * w.hu;
   return make3(w.alpha_x * (w.x * x + w.y * y), w.alpha_y * (w.y * x - w.x * y), d * w.h2);
 }
 
@@ -267,33 +287,36 @@ VNDF_FUNCTION vec3 vndf_unit_or_up(vec3 m) {
 }
 
 VNDF_FUNCTION vec3 vndf_sample_as(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w, float u1,
-                                  float u2, bool plain) {
-  VndfDraw draw = vndf_draw(t, w, u1, u2, plain);
-  return vndf_unit_or_up(vndf_unstretched(t, w, draw.root * draw.root, draw.v, plain));
+                                  float u2, uint kind) {
+  VndfDraw draw = vndf_draw(t, w, u1, u2, kind);
+  return vndf_unit_or_up(vndf_unstretched(t, w, draw.root * draw.root, draw.v, kind));
 }
+
+// Only the plain sampler is put in place: beside the other it would run short of registers.
 
 VNDF_APART_FUNCTION vec3 vndf_sample_any(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w, float u1,
                                          float u2) {
-  return vndf_sample_as(t, w, u1, u2, false);
+  return vndf_sample_as(t, w, u1, u2, kVndfAny);
 }
 
 /// A normal for a direction that is prepared.
 VNDF_FUNCTION vec3 vndf_sample(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w, float u1,
                                float u2) {
-  if (t.plain == 0u) return vndf_sample_any(t, w, u1, u2);
-  return vndf_sample_as(t, w, u1, u2, true);
+  if (t.kind == kVndfPlain) return vndf_sample_as(t, w, u1, u2, kVndfPlain);
+  return vndf_sample_any(t, w, u1, u2);
 }
 
 VNDF_APART_FUNCTION vec3 vndf_sample_towards_any(VNDF_IN(VndfTables) t, VNDF_IN(vec3) wi,
                                                  float alpha_x, float alpha_y, float u1, float u2) {
-  return vndf_sample_as(t, vndf_at(t, wi, alpha_x, alpha_y), u1, u2, false);
+  return vndf_sample_as(t, vndf_at(t, wi, alpha_x, alpha_y), u1, u2, kVndfAny);
 }
 
 /// A normal for a direction that is not.
 VNDF_FUNCTION vec3 vndf_sample_towards(VNDF_IN(VndfTables) t, VNDF_IN(vec3) wi, float alpha_x,
                                        float alpha_y, float u1, float u2) {
-  if (t.plain == 0u) return vndf_sample_towards_any(t, wi, alpha_x, alpha_y, u1, u2);
-  return vndf_sample_as(t, vndf_at(t, wi, alpha_x, alpha_y), u1, u2, true);
+  if (t.kind == kVndfPlain)
+    return vndf_sample_as(t, vndf_at(t, wi, alpha_x, alpha_y), u1, u2, kVndfPlain);
+  return vndf_sample_towards_any(t, wi, alpha_x, alpha_y, u1, u2);
 }
 
 // The density of the map: the reciprocal of its Jacobian. Slope x depends on u1 alone, so that the
@@ -302,6 +325,14 @@ VNDF_FUNCTION vec3 vndf_sample_towards(VNDF_IN(VndfTables) t, VNDF_IN(vec3) wi, 
 /// dp / dq of the column axis.
 VNDF_FUNCTION float vndf_column_rate(VNDF_IN(VndfTables) t, float p) {
   return t.column_roots != 0u ? 1.0f / (p - t.column_offset) : 1.0f;
+}
+
+/// |d place / dq| of u2.
+VNDF_FUNCTION float vndf_second_rate(VNDF_IN(VndfTables) t, float place) {
+  float far = float_of(0x3f800000u + t.column_mirror);
+  bool mirrored = t.separable == 0u && place > 0.5f * t.column_span;
+  if (!mirrored) return vndf_column_rate(t, place);
+  return far * vndf_column_rate(t, t.column_span - place / far);
 }
 
 /// Of the normal `m` of the draw, before it is made a unit vector.
@@ -320,10 +351,10 @@ VNDF_FUNCTION float vndf_draw_density(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirecti
   }
   float dsigma = 2.0f * draw.root * droot;
   float dv =
-      magnitude(vndf_rate(draw.conditional, draw.f[2])) * vndf_column_rate(t, draw.places[2]);
+      magnitude(vndf_rate(draw.conditional, draw.f[2])) * vndf_second_rate(t, draw.places[2]);
   float ratio = square_root(m.x * m.x + m.y * m.y + m.z * m.z) / w.h2;
   float stretch = t.unit * t.unit * w.alpha_x * w.alpha_y;
-  float jacobian = stretch * (0.5f - d) * vndf_scale(t, sigma, d, false) * dsigma * dv;
+  float jacobian = stretch * (0.5f - d) * vndf_scale(t, sigma, d, kVndfAny) * dsigma * dv;
   float density = ratio * ratio * ratio / jacobian;
   return !hidden && !clamped && density <= kVndfLargest ? density : kVndfLargest;
 }
@@ -337,8 +368,8 @@ struct VndfSampledNormal {
 VNDF_FUNCTION VndfSampledNormal vndf_sample_with_density(VNDF_IN(VndfTables) t,
                                                          VNDF_IN(VndfDirection) w, float u1,
                                                          float u2) {
-  VndfDraw draw = vndf_draw(t, w, u1, u2, false);
-  vec3 m = vndf_unstretched(t, w, draw.root * draw.root, draw.v, false);
+  VndfDraw draw = vndf_draw(t, w, u1, u2, kVndfAny);
+  vec3 m = vndf_unstretched(t, w, draw.root * draw.root, draw.v, kVndfAny);
   VndfSampledNormal sampled;
   sampled.wm = vndf_unit_or_up(m);
   sampled.pdf = w.alpha_x == w.alpha_x ? vndf_draw_density(t, w, draw, m) : 0.0f;
@@ -367,7 +398,7 @@ VNDF_FUNCTION vec2 vndf_slope_of(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w
   float part = 1.0f / (upper + z);
   float d = (upper * part) * (z * part);
   float sigma = x < 0.0f ? z * part : upper * part;
-  return make2(sigma, y * (part * upper * part) / vndf_scale(t, sigma, d, false));
+  return make2(sigma, y * (part * upper * part) / vndf_scale(t, sigma, d, kVndfAny));
 }
 
 /// The largest u1 in one half whose sigma is not above that asked for; or u2 with its y.
@@ -377,7 +408,7 @@ VNDF_FUNCTION float vndf_bisect(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w,
   for (uint step = 0u; step < 31u && low + 1u < high; ++step) {
     uint middle = low + ((high - low) >> 1);
     float u = float_of(middle);
-    VndfDraw draw = vndf_draw(t, w, second ? given_u1 : u, second ? u : 0.5f, false);
+    VndfDraw draw = vndf_draw(t, w, second ? given_u1 : u, second ? u : 0.5f, kVndfAny);
     if ((second ? draw.v : draw.root * draw.root) <= target)
       low = middle;
     else

@@ -55,8 +55,8 @@ SampledNormal<T> TabulatedSampler<T>::sample_with_density(const Vec3<T>& wi, con
                                                           T u1, T u2) const noexcept {
   if (!valid(wi, alpha)) return {{T(0), T(0), T(1)}, T(0)};
   const FoldedProbability<T> folded = fold(probability(u2));
-  return sample_at(stretch(wi, alpha),
-                   {marginal_column(probability(u1)), conditional_column(folded.p), folded.sign});
+  return sample_at(stretch(wi, alpha), {marginal_column(widened(probability(u1))),
+                                        conditional_column(widened(folded.p)), folded.sign});
 }
 
 template <class T>
@@ -74,35 +74,34 @@ std::optional<Vec2<T>> TabulatedSampler<T>::invert(const Vec3<T>& wi, const Vec3
   if (!valid(wi, alpha) || !valid(wm, alpha)) return {};
   const auto columns = columns_of(stretch(wi, alpha), wm);
   if (!columns) return {};
-  return Vec2<T>{marginal_column_inverse(columns->marginal).u,
-                 unfold(FoldedProbability<T>{conditional_column_inverse(columns->conditional),
-                                             columns->sign})};
+  const FoldedProbability<double> folded{conditional_column_inverse(columns->conditional),
+                                         double{columns->sign}};
+  return Vec2<T>{static_cast<T>(marginal_column_inverse(columns->marginal).u),
+                 static_cast<T>(unfold(folded))};
 }
 
 /// sample_marginal() with its differentials; that of sigma is 0 where it is held at the farthest.
 template <class T>
-auto TabulatedSampler<T>::marginal_step(const BoundedSlope<T>& c, T column) const -> MarginalStep {
+auto TabulatedSampler<T>::marginal_step(const BoundedSlope<T>& c, double column) const
+    -> MarginalStep {
   const BoundedSlope<T> edge = farthest(c);
-  const WithDerivative<T> s = tables_->marginal.lookup_with_derivative(marginal_row(c), column);
-  const WithDerivative<T> sigma = marginal_map_.at_with_derivative(s.value);
-  const BoundedSlope<T> x = bounded_from_sigma(sigma.value);
+  const auto s = tables_->marginal.lookup_with_derivative(marginal_row(c), column);
+  const auto sigma = marginal_map_.at_with_derivative(s.value);
+  const BoundedSlope<T> x = bounded_from_sigma(static_cast<T>(sigma.value));
   const bool held = !(x.sigma < edge.sigma && x.complement > edge.complement);
-  return {held_below(edge, x), marginal_column_rate(column),
-          held ? T(0) : s.derivative * sigma.derivative};
+  return {held_below(edge, x), static_cast<T>(marginal_column_rate(column)),
+          held ? T(0) : static_cast<T>(s.derivative * sigma.derivative)};
 }
 
 /// sample_conditional() with its differentials. At u2 = 1/2 both may vanish, as t; there they are
 /// those of the next number.
 template <class T>
-auto TabulatedSampler<T>::conditional_step(T row, T column) const -> ConditionalStep {
-  constexpr T kNext = std::numeric_limits<T>::epsilon();
-  const WithDerivative<T> v = tables_->conditional.lookup_with_derivative(row, column);
-  if (column * column < kNext) {
-    const T beside = std::sqrt(kNext);  // p = 2 beside^2
-    return {v.value, conditional_column_rate(beside) / T(2),
-            tables_->conditional.lookup_with_derivative(row, beside).derivative};
-  }
-  return {v.value, conditional_column_rate(column) / T(2), v.derivative};
+auto TabulatedSampler<T>::conditional_step(double row, double column) const -> ConditionalStep {
+  constexpr double kBeside = 0x1p-26;  // p = 2 kBeside^2, a rounding of 1
+  const double place = std::max(column, kBeside);
+  return {static_cast<T>(tables_->conditional.lookup(row, column)),
+          static_cast<T>(conditional_column_rate(place) / 2),
+          static_cast<T>(tables_->conditional.lookup_with_derivative(row, place).derivative)};
 }
 
 template <class T>
@@ -135,9 +134,9 @@ auto TabulatedSampler<T>::columns_of(const Stretched& s, const Vec3<T>& wm) cons
   const T scale = conditional_scale_.at({slope.x, slope.w});
   const T v = slope.y == T(0) ? T(0)  // at the rim of a bounded support the scale is 0 too
                               : conditional_value(bounded_from_fraction(std::abs(slope.y), scale));
-  const Columns columns{tables_->marginal.inverse(marginal_row(s.c), marginal_map_.inverse(x.sigma)),
-                        tables_->conditional.inverse(conditional_row(x), v),
-                        slope.y < T(0) ? T(-1) : T(1)};
+  const Columns columns{
+      tables_->marginal.inverse(marginal_row(s.c), marginal_map_.inverse(x.sigma)),
+      tables_->conditional.inverse(conditional_row(x), v), slope.y < T(0) ? T(-1) : T(1)};
   if (!in_range(s, columns, x, v)) return {};
   return columns;
 }
@@ -147,8 +146,8 @@ auto TabulatedSampler<T>::columns_of(const Stretched& s, const Vec3<T>& wm) cons
 template <class T>
 bool TabulatedSampler<T>::in_range(const Stretched& s, const Columns& columns,
                                    const BoundedSlope<T>& x, T v) const {
-  const BoundedSlope<T> near_x = columns.marginal < T(1) ? x : marginal_step(s.c, T(1)).x;
-  const T end = tables_->conditional.lookup(conditional_row(x), T(1));
+  const BoundedSlope<T> near_x = columns.marginal < T(1) ? x : marginal_step(s.c, 1).x;
+  const T end = static_cast<T>(tables_->conditional.lookup(conditional_row(x), 1));
   const auto unit = [&](const BoundedSlope<T>& at, T value) {
     const SlopeFraction<T> fx{at.numerator(), at.denominator()};
     const auto slope =

@@ -58,8 +58,8 @@ class PairSlopes {
   const SlopeTables& pair_;
   double unit_;
   bool separable_;
-  RowAxis<double> marginal_rows_, conditional_rows_;
-  MonotoneMap<double> map_;
+  RowAxis marginal_rows_, conditional_rows_;
+  MonotoneMap map_;
   double middle_;
   KernelScale scale_;
 };

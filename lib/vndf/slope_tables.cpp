@@ -12,9 +12,8 @@ namespace {
 using Broken = std::optional<std::string>;
 
 /// The rule that value j of a row breaks, or nothing.
-template <class V>
-const char* broken_rule(const CubicNode<V>* row, std::size_t j) {
-  const V w = row[j].value;
+const char* broken_rule(const CubicNode<double>* row, std::size_t j) {
+  const double w = row[j].value;
   if (!std::isfinite(w)) return " is not a finite number";
   if (w < 0 || w > 1) return " is outside [0, 1]";
   if (j == 0 && w != 0) return " is not 0, the value at the end of a row";
@@ -22,8 +21,7 @@ const char* broken_rule(const CubicNode<V>* row, std::size_t j) {
   return nullptr;
 }
 
-template <class V>
-Broken check_row(const CubicNode<V>* row, std::size_t columns) {
+Broken check_row(const CubicNode<double>* row, std::size_t columns) {
   for (std::size_t j = 0; j < columns; ++j)
     if (const char* rule = broken_rule(row, j)) return "column " + std::to_string(j) + rule;
   return {};
@@ -31,11 +29,9 @@ Broken check_row(const CubicNode<V>* row, std::size_t columns) {
 
 Broken check_table(const QuantileTable& table, const std::string& name) {
   if (table.rows() == 0) return name + " table: empty";
-  for (std::size_t i = 0; i < table.rows(); ++i) {
-    const Broken b = table.in_double() ? check_row(table.row<double>(i), table.columns())
-                                       : check_row(table.row(i), table.columns());
-    if (b) return name + " table, row " + std::to_string(i) + ": " + *b;
-  }
+  for (std::size_t i = 0; i < table.rows(); ++i)
+    if (const Broken b = check_row(table.row(i), table.columns()))
+      return name + " table, row " + std::to_string(i) + ": " + *b;
   return {};
 }
 
@@ -92,27 +88,22 @@ Broken check_curve(const LogCurve<double>& curve, const std::string& name) {
   return {};
 }
 
-template <class V>
-bool rows_are_equal(const QuantileTable& table) {
-  const std::vector<V> first = table.row_values<V>(0);
-  for (std::size_t i = 1; i < table.rows(); ++i)
-    if (table.row_values<V>(i) != first) return false;
-  return true;
-}
-
 }  // namespace
 
 bool conditional_factorises(const SlopeTables& tables) {
   const QuantileTable& table = tables.conditional;
-  return table.in_double() ? rows_are_equal<double>(table) : rows_are_equal<float>(table);
+  const std::vector<double> first = table.row_values(0);
+  for (std::size_t i = 1; i < table.rows(); ++i)
+    if (table.row_values(i) != first) return false;
+  return true;
 }
 
 std::size_t sampling_bytes(const SlopeTables& tables) {
-  const auto values = [](const QuantileTable& t) { return 2 * t.rows() * t.columns(); };
+  const auto nodes = [](const QuantileTable& t) { return 2 * t.rows() * t.columns(); };
   const std::size_t knots = tables.marginal_rows.size() + tables.conditional_rows.size();
   const std::size_t pieces = tables.marginal_map.size() - 1;
-  return sizeof(float) *
-         (values(tables.marginal) + values(tables.conditional) + 3 * knots + 4 * pieces);
+  return sizeof(double) *
+         (nodes(tables.marginal) + nodes(tables.conditional) + 2 * knots + 4 * pieces);
 }
 
 std::optional<std::string> check(const SlopeTables& tables) {

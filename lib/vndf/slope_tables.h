@@ -44,7 +44,7 @@ struct SlopeTables {
 /// conditional are equal.
 bool conditional_factorises(const SlopeTables& tables);
 
-/// Bytes of tables, knots and map that sampling in single precision reads.
+/// Bytes of tables, knots and map that sampling reads.
 std::size_t sampling_bytes(const SlopeTables& tables);
 
 /// The first rule that `tables` breaks, with the place, or nothing: sizes, finite values, rows that

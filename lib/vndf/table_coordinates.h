@@ -20,8 +20,8 @@
 //                             q = 1 - |2 u2 - 1|: the half y >= 0, the other by symmetry
 //                      value  2 sigma(y / scale) - 1, scale = sqrt(max(0, A + B x^2)): with the A
 //                             and B that make all rows the same where that can be, as for Beckmann
-//                             and Student-T slopes, GGX among them; with A = R^2 and B = -1 where no
-//                             slope is larger than R
+//                             and Student-T slopes, GGX among them; with A = R^2 and B = -1 where
+//                             no slope is larger than R
 //   rows               a RowAxis maps the base coordinate to the row; it is the identity where rows
 //                      equidistant in it serve well
 //
@@ -55,6 +55,12 @@ struct BoundedSlope {
 template <class T>
 BoundedSlope<T> bounded_from_sigma(T sigma) {
   return {sigma, T(1) - sigma};
+}
+
+/// The same slope for coordinates in double precision, in which tables are read.
+template <class T>
+BoundedSlope<double> widened(const BoundedSlope<T>& x) {
+  return {double{x.sigma}, double{x.complement}};
 }
 
 /// `x`, or `edge` where it is smaller. Each part is held by itself: near 1 sigma is rounded more
@@ -129,6 +135,11 @@ template <class T>
 struct Probability {
   T u, complement;
 };
+
+template <class T>
+Probability<double> widened(const Probability<T>& p) {
+  return {double{p.u}, double{p.complement}};
+}
 
 /// Brings `u` into [0, 1]; not a number becomes 0.
 template <class T>

@@ -84,14 +84,15 @@ class TabulatedSampler {
   /// The marginal quantile at u1, in units of the mean slope; at most the slope `c`.
   BoundedSlope<T> sample_marginal(const BoundedSlope<T>& c,
                                   const Probability<T>& u1) const noexcept {
-    const T s = tables_->marginal.lookup(marginal_row(c), marginal_column(u1));
-    return held_below(farthest(c), bounded_from_sigma(marginal_map_.at(s)));
+    const double s = tables_->marginal.lookup(marginal_row(c), marginal_column(widened(u1)));
+    return held_below(farthest(c), bounded_from_sigma(static_cast<T>(marginal_map_.at(s))));
   }
 
   /// The value v = 2 sigma - 1 of |y| / scale that a sampled |y| stays below with probability p:
   /// |y| = scale(x) conditional_value_inverse(v).
   T sample_conditional(const BoundedSlope<T>& x, const Probability<T>& p) const noexcept {
-    return tables_->conditional.lookup(conditional_row(x), conditional_column(p));
+    return static_cast<T>(
+        tables_->conditional.lookup(conditional_row(x), conditional_column(widened(p))));
   }
 
   /// Density of normals D(wm) per solid angle; 0 for a horizontal or back-facing normal.
@@ -157,7 +158,8 @@ class TabulatedSampler {
   };
   /// Columns of the two tables, and the sign of slope_y: what u1 and u2 stand for.
   struct Columns {
-    T marginal, conditional, sign;
+    double marginal, conditional;
+    T sign;
   };
   /// The two steps of the map with their differentials along the column.
   struct MarginalStep {
@@ -181,13 +183,15 @@ class TabulatedSampler {
   }
 
   /// Row coordinates of the tables.
-  T marginal_row(const BoundedSlope<T>& c) const { return marginal_rows_.row(marginal_base(c)); }
-  T conditional_row(const BoundedSlope<T>& x) const {
-    return conditional_rows_.row(conditional_base(x));
+  double marginal_row(const BoundedSlope<T>& c) const {
+    return marginal_rows_.row(marginal_base(widened(c)));
+  }
+  double conditional_row(const BoundedSlope<T>& x) const {
+    return conditional_rows_.row(conditional_base(widened(x)));
   }
 
-  MarginalStep marginal_step(const BoundedSlope<T>& c, T column) const;
-  ConditionalStep conditional_step(T row, T column) const;
+  MarginalStep marginal_step(const BoundedSlope<T>& c, double column) const;
+  ConditionalStep conditional_step(double row, double column) const;
   SampledNormal<T> sample_at(const Stretched& s, const Columns& columns) const;
   std::optional<Columns> columns_of(const Stretched& s, const Vec3<T>& wm) const;
   bool in_range(const Stretched& s, const Columns& columns, const BoundedSlope<T>& x, T v) const;
@@ -208,9 +212,9 @@ class TabulatedSampler {
   std::shared_ptr<const SlopeTables> tables_;
   T mean_slope_;
   BoundedSlope<T> bounded_support_;
-  RowAxis<T> marginal_rows_, conditional_rows_;
+  RowAxis marginal_rows_, conditional_rows_;
   ConditionalScale<T> conditional_scale_;
-  MonotoneMap<T> marginal_map_;
+  MonotoneMap marginal_map_;
   LogCurve<T> log_ndf_, log_backfacing_;
 };
 
