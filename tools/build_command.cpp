@@ -10,12 +10,14 @@
 #include <string>
 
 #include "arguments.h"
+#include "bake_options.h"
 #include "commands.h"
 #include "distribution_source.h"
-#include "io/table_file.h"
 #include "output_file.h"
+#include "precompute/bake_certified.h"
 #include "precompute/build_tables.h"
 #include "report.h"
+#include "table_files.h"
 
 namespace vndf::tools {
 namespace {
@@ -26,6 +28,7 @@ struct Size {
 
 struct BuildArguments {
   SourceArguments source;
+  BakeArguments baking;
   std::string output, size = "1024", precision = "single";
   unsigned threads = 0;
   bool json = false, quiet = false, list = false;
@@ -72,8 +75,10 @@ std::function<void(double)> progress_bar(const BuildArguments& arguments) {
 }
 
 std::string recipe(const BuildArguments& arguments, const std::string& source, const Size& size) {
-  return fmt::format("vndf build {} --size {}x{}{} -o {}", source, size.rows, size.columns,
+  const bool baked = names_baked_tables(arguments.output);
+  return fmt::format("vndf build {} --size {}x{}{}{} -o {}", source, size.rows, size.columns,
                      arguments.precision == "double" ? " --precision double" : "",
+                     baked ? recipe_options(options_of(arguments.baking)) : "",
                      std::filesystem::path(arguments.output).filename().string());
 }
 
@@ -91,10 +96,46 @@ void warn_of_errors(const Certificate& certificate) {
   warn(certificate.conditional, "conditional", "slope");
 }
 
+/// What is written: the pair, or the tables baked from it.
+AnyTables tables_of(const BuildArguments& arguments, const DistributionSource& source,
+                    const Size& size, const precompute::BuiltTables& built) {
+  const std::string made = recipe(arguments, source.options, size);
+  if (!names_baked_tables(arguments.output))
+    return io::TableFile{built.tables,
+                         {.recipe = made,
+                          .program = kProgram,
+                          .input_checksum = source.input_checksum,
+                          .notes = source.notes},
+                         built.certificate};
+  const precompute::Workers workers{arguments.threads};
+  return precompute::bake_certified(precompute::UnitSlopes(*source.distribution, workers),
+                                    *built.tables, options_of(arguments.baking),
+                                    {.distribution = built.tables->distribution,
+                                     .recipe = made,
+                                     .program = kProgram,
+                                     .input_checksum = source.input_checksum,
+                                     .notes = source.notes},
+                                    workers);
+}
+
+void save_as(const std::string& output, const io::TableFile& pair) {
+  io::save(output, pair);
+}
+void save_as(const std::string& output, const KernelTables& tables) {
+  save_tables(output, tables);
+}
+const Certificate& certificate_of(const io::TableFile& pair) {
+  return pair.certificate;
+}
+Certificate certificate_of(const KernelTables& tables) {
+  return tables.certificate();
+}
+
 void build(const BuildArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   // What cannot be written is refused before any work.
-  io::format_for(arguments.output);
+  if (!names_baked_tables(arguments.output)) io::format_for(arguments.output);
+  require_baked_output(arguments.baking, arguments.output);
   require_output(arguments.output, {arguments.source.profile, arguments.source.map});
   const auto source = make_distribution(arguments.source);
   Size size{};
@@ -103,30 +144,24 @@ void build(const BuildArguments& arguments) {
       *source.distribution, {.layout = {size.rows, size.columns, arguments.precision == "double"},
                              .threads = arguments.threads,
                              .progress = progress_bar(arguments)});
-  if (!arguments.quiet) warn_of_errors(built.certificate);
-  const io::TableFile file{built.tables,
-                           {.recipe = recipe(arguments, source.options, size),
-                            .program = kProgram,
-                            .input_checksum = source.input_checksum,
-                            .notes = source.notes},
-                           built.certificate};
-  io::save(arguments.output, file);
-
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  const auto bytes = std::filesystem::file_size(arguments.output);
-  if (arguments.json) {
-    auto report = to_json(file);
-    report["output"] = arguments.output;
-    report["seconds"] = seconds.count();
-    report["bytes"] = bytes;
-    report["mass"] = built.mass;
-    report["quadrature_error"] = built.quadrature_error;
-    std::cout << report.dump(2) << '\n';
-  } else if (!arguments.quiet) {
-    std::cout << describe(file)
-              << fmt::format("\nwrote {} ({:.1f} MiB) in {:.2f} s\n", arguments.output,
-                             static_cast<double>(bytes) / (1 << 20), seconds.count());
-  }
+  const auto finish = [&](const auto& tables) {
+    if (!arguments.quiet) warn_of_errors(certificate_of(tables));
+    save_as(arguments.output, tables);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    const auto bytes = std::filesystem::file_size(arguments.output);
+    if (arguments.json) {
+      auto report = to_json(tables);
+      report["output"] = arguments.output;
+      report["seconds"] = seconds.count();
+      report["bytes"] = bytes;
+      report["mass"] = built.mass;
+      report["quadrature_error"] = built.quadrature_error;
+      std::cout << report.dump(2) << '\n';
+    } else if (!arguments.quiet) {
+      std::cout << describe(tables) << written(arguments.output, bytes, seconds.count());
+    }
+  };
+  std::visit(finish, tables_of(arguments, source, size, built));
 }
 
 }  // namespace
@@ -135,14 +170,16 @@ void add_build(CLI::App& app) {
   auto* command = app.add_subcommand("build", "Build the tables of a slope distribution");
   const auto arguments = std::make_shared<BuildArguments>();
   add_source_options(*command, arguments->source);
-  command->add_option("-o,--output", arguments->output,
-                      "File to write: .h5 (HDF5) or .exr (OpenEXR)");
+  command->add_option(
+      "-o,--output", arguments->output,
+      "File to write: .h5 (HDF5) or .exr (OpenEXR), or .vndf (baked, for renderers)");
   command->add_option("--size", arguments->size, "Nodes per axis, N or NTHETAxNU, of both tables")
       ->capture_default_str()
       ->check(CLI::Validator(size_rule, "N|NTHETAxNU"));
   command->add_option("--precision", arguments->precision, "Precision of the stored values")
       ->check(CLI::IsMember({"single", "double"}))
       ->capture_default_str();
+  add_bake_options(*command, arguments->baking);
   add_threads(*command, arguments->threads);
   auto* json = command->add_flag("--json", arguments->json, "Print the report as one JSON object");
   command->add_flag("--quiet", arguments->quiet, "Print nothing, draw no progress bar")

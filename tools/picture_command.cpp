@@ -9,8 +9,8 @@
 
 #include "commands.h"
 #include "gnuplot.h"
-#include "io/table_file.h"
 #include "output_file.h"
+#include "table_files.h"
 #include "vndf/table_coordinates.h"
 
 namespace vndf::tools {
@@ -119,7 +119,7 @@ void add_picture(CLI::App& app) {
   command->callback([arguments] {
     const std::string terminal = terminal_for(arguments->output);
     require_output(arguments->output);
-    const io::TableFile file = io::load(arguments->file);
+    const io::TableFile file = load_pair(arguments->file);
     draw(arguments->output,
          [&](const std::string& name) { return script(*file.tables, name, terminal); });
   });

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <new>
@@ -83,7 +84,8 @@ class Checker {
 
   void check_sampling() const {
     const KernelHeader& h = header();
-    const float low = h.column_roots != 0 ? h.column_offset : kernel::kVndfLeastU;
+    // The root of twice the least u is 2^-12.
+    const float low = h.column_roots != 0 ? h.column_offset + 0x1p-12f : kernel::kVndfLeastU;
     const float high = h.column_roots != 0 ? 1 + h.column_offset : 0.5f;
     const std::uint32_t upper = h.column_upper - kernel::kVndfSign;
     require_apart(upper);
@@ -224,6 +226,13 @@ void change_header(std::span<std::byte> block, Change change) {
   auto* header = reinterpret_cast<KernelHeader*>(block.data());
   change(*header);
   header->checksum = kernel_checksum(block);
+}
+
+/// The leading digits of a small number.
+std::string digits_of(double number) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g", number);
+  return text.data();
 }
 
 std::string joined(const KernelText& text) {
@@ -401,8 +410,8 @@ KernelTables load(const std::filesystem::path& path, const LoadOptions& options)
     const Certificate c = tables.certificate();
     const double u_error = std::max(c.marginal.max_u_error, c.conditional.max_u_error);
     if (!(u_error <= options.max_u_error))
-      fail_with("its certificate admits a u-error of " + std::to_string(u_error) + ", above " +
-                std::to_string(options.max_u_error) + "; bake it with a smaller --tolerance");
+      fail_with("its certificate admits a u-error of " + digits_of(u_error) + ", above " +
+                digits_of(options.max_u_error) + "; bake it with a smaller --tolerance");
     return tables;
   } catch (const KernelTablesError& e) {
     const std::string what = e.what();
