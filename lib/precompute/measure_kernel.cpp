@@ -167,7 +167,7 @@ class MarginalRow final : public RowMap {
 
  private:
   VndfDraw draw(const Probability<double>& u) const {
-    return vndf_draw(tables_, direction_, kernel_u(u), 0.5f, kernel::kVndfAny);
+    return vndf_draw(tables_, direction_, kernel_u(u), 0.5f);
   }
   /// At most the cotangent, as the kernel gives it.
   Probability<double> cdf_of(double sigma) const {
@@ -210,7 +210,7 @@ class ConditionalRow final : public RowMap {
 
  private:
   VndfDraw draw(const Probability<double>& u) const {
-    return vndf_draw(tables_, place_.direction, place_.u1, kernel_u(u), kernel::kVndfAny);
+    return vndf_draw(tables_, place_.direction, place_.u1, kernel_u(u));
   }
   Probability<double> cdf_of(double v) const {
     if (std::isnan(v)) return kNoProbability;
@@ -257,11 +257,11 @@ struct Judge {
   SlopePlace place_of(double x) const {
     const VndfDirection w = at(x > 0 ? Direction{1, 0} : Direction{0, 1});
     const auto sigma = bounded_from_slope(x * slopes.mean_slope() / tables.unit).sigma;
-    return {w, vndf_bisect(tables, w, static_cast<float>(sigma), 0.5f, kernel::kVndfAny)};
+    return {w, vndf_bisect(tables, w, static_cast<float>(sigma), 0.5f, false)};
   }
 
   float sigma_at(const SlopePlace& place) const {
-    const float root = vndf_draw(tables, place.direction, place.u1, 0.5f, kernel::kVndfAny).root;
+    const float root = vndf_draw(tables, place.direction, place.u1, 0.5f).root;
     return root * root;
   }
 

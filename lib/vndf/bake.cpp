@@ -25,7 +25,7 @@ using namespace baking;
 
 // Tails are followed to the first part of their mass down to this probability, and to the second
 // below it, where they are seldom seen but values must not run away.
-constexpr double kTailError = 0.08, kLeastTail = 0x1p-21, kLeastTailError = 0.8;
+constexpr double kTailError = 0.04, kLeastTail = 0x1p-21, kLeastTailError = 0.5;
 // Differences below these roundings of a value count as none.
 constexpr double kRounding = 0x1p-22;
 // Where the errors of a cell are looked at, as parts of its width.
@@ -33,9 +33,9 @@ constexpr std::array<double, 5> kPlacesInColumn{0.12, 0.3, 0.5, 0.7, 0.88};
 constexpr std::array<double, 3> kPlacesInRow{0.1, 0.45, 0.9};
 // What remains of a tolerance for rows and for columns: their errors add up, and single precision
 // and the pair's own errors need the rest.
-constexpr double kShare = 0.45;
+constexpr double kShare = 0.65;
 // Shares that are tried after it where the tables as made differ by more than the tolerance.
-constexpr std::array<double, 3> kShares{kShare, 0.7 * kShare, 0.5 * kShare};
+constexpr std::array<double, 3> kShares{kShare, 0.7 * kShare, 0.45 * kShare};
 
 /// The column axis: places p of probabilities q = min(u, 1 - u), or their mirrors in the middle.
 struct Columns {
@@ -44,16 +44,14 @@ struct Columns {
   int octaves;    ///< places above one half are this power of two larger, and so are mirrors
   bool half = false, mirrored = false;
 
-  double least() const { return roots ? offset : 0x1p-25; }
+  double least() const { return roots ? offset + 0x1p-12 : 0x1p-25; }
   double most() const { return half ? span() / 2 : roots ? 1 + offset : 0.5; }
   /// What a place and its mirror add up to; not less than the least place and the most do.
-  double span() const { return roots ? 1 + 2 * offset : 0.5 + 0x1p-24; }
+  double span() const { return roots ? 1 + 2 * offset + 0x1p-12 : 0.5 + 0x1p-24; }
   double probability(double place) const {
-    constexpr double kLeastRoot = 0x1p-13;  // of the least q, 2^-27
     const double p = mirrored ? span() - place : place;
     if (!roots) return std::min(p, 0.5);
-    const double root = std::max(p - offset, kLeastRoot);
-    return std::min(root * root / 2, 0.5);
+    return std::min((p - offset) * (p - offset) / 2, 0.5);
   }
   /// dq / dp.
   double rate(double place) const {
@@ -105,15 +103,26 @@ Node node_at(const Surface& surface, const Columns& columns, double row, double 
   return {node.value, node.derivative * columns.rate(p)};
 }
 
+/// Whether the cubic between two nodes turns back nowhere (Fritsch and Carlson 1980).
+bool increases(const Node& low, const Node& high, double width) {
+  const double rise = kSteepest * (high.value - low.value) / width;
+  const auto along = [rise](const Node& node) {
+    return std::abs(node.derivative) <= std::abs(rise) && node.derivative * rise >= 0;
+  };
+  return along(low) && along(high);
+}
+
 /// Whether one cubic follows a row of the surface from p = `begin` to `end`.
 bool follows_column(const Surface& surface, const Columns& columns, const Criterion& criterion,
                     double row, double begin, double end) {
-  const Cubic cubic = hermite(node_at(surface, columns, row, begin),
-                              node_at(surface, columns, row, end), end - begin);
-  return keeps_its_way(cubic, end - begin) && std::ranges::all_of(kPlacesInColumn, [&](double f) {
-           const double p = begin + f * (end - begin), q = columns.probability(p);
-           return criterion.accepts(baking::at(cubic, p - begin), surface.at(row, q), q);
-         });
+  const Node low = node_at(surface, columns, row, begin),
+             high = node_at(surface, columns, row, end);
+  if (!increases(low, high, end - begin)) return false;
+  const Cubic cubic = hermite(low, high, end - begin);
+  return std::ranges::all_of(kPlacesInColumn, [&](double f) {
+    const double p = begin + f * (end - begin), q = columns.probability(p);
+    return criterion.accepts(baking::at(cubic, p - begin), surface.at(row, q), q);
+  });
 }
 
 /// The cells of columns in which one cubic follows each of `rows`.
@@ -559,7 +568,7 @@ Differences differences(const KernelTables& tables, const PairSlopes& slopes) {
     const double row = slopes.direction_row(double{wi.x} / (double{wi.x} + double{wi.z}));
     for (std::size_t k = 0; k < kDraws; ++k) {
       const float u1 = golden_u(k + i), u2 = golden_u(7 * k + 3 * i);
-      const kernel::VndfDraw draw = kernel::vndf_draw(t, at, u1, u2, kernel::kVndfAny);
+      const kernel::VndfDraw draw = kernel::vndf_draw(t, at, u1, u2);
       const bool upper = u1 > 0.5f;
       const double q = upper ? 1 - double{u1} : double{u1};
       const double found = slopes.marginal_inverse(row, draw.root, upper);

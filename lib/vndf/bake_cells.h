@@ -94,16 +94,6 @@ inline Cubic hermite(const Node& low, const Node& high, double width) {
   return {low.value, low.derivative, (secant - low.derivative) / width - c3 * width, c3};
 }
 
-/// Whether the cubic never turns back from 0 to `width`.
-inline bool keeps_its_way(const Cubic& c, double width) {
-  const auto rate = [&](double f) { return c[1] + f * (2 * c[2] + f * 3 * c[3]); };
-  const double turn = -c[2] / (3 * c[3]);  // of the rate; infinite where there is none
-  const double between = turn > 0 && turn < width ? rate(turn) : rate(0);
-  const double low = std::min({rate(0), between, rate(width)}),
-               high = std::max({rate(0), between, rate(width)});
-  return low >= 0 || high <= 0;
-}
-
 /// Where across a cell of rows the four rows lie that a patch goes through, as parts of its width:
 /// its ends, so that neighbours meet, and the places inside that keep the error between them least.
 inline constexpr std::array<double, 4> kRowPlaces{0, 0.25, 0.75, 1};

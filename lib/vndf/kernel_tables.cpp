@@ -84,7 +84,8 @@ class Checker {
 
   void check_sampling() const {
     const KernelHeader& h = header();
-    const float low = h.column_roots != 0 ? h.column_offset : kernel::kVndfLeastU;
+    // The root of twice the least u is 2^-12.
+    const float low = h.column_roots != 0 ? h.column_offset + 0x1p-12f : kernel::kVndfLeastU;
     const float high = h.column_roots != 0 ? 1 + h.column_offset : 0.5f;
     const std::uint32_t upper = h.column_upper - kernel::kVndfSign;
     require_apart(upper);
@@ -219,19 +220,19 @@ std::shared_ptr<std::byte> aligned_bytes(std::size_t count) {
   return {p, AlignedDelete()};
 }
 
-/// The leading digits of a small number.
-std::string digits_of(double number) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g", number);
-  return text.data();
-}
-
 /// Changes the header of a block and its checksum with it.
 template <class Change>
 void change_header(std::span<std::byte> block, Change change) {
   auto* header = reinterpret_cast<KernelHeader*>(block.data());
   change(*header);
   header->checksum = kernel_checksum(block);
+}
+
+/// The leading digits of a small number.
+std::string digits_of(double number) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g", number);
+  return text.data();
 }
 
 std::string joined(const KernelText& text) {

@@ -217,8 +217,8 @@ VNDF_FUNCTION bool vndf_separable(VNDF_IN(VndfTables) t, uint kind) {
   return kind == kVndfPlain || (kind == kVndfAny && t.separable != 0u);
 }
 
-VNDF_FUNCTION VndfDraw vndf_draw(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) d, float u1,
-                                 float u2, uint kind) {
+VNDF_FUNCTION VndfDraw vndf_draw_as(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) d, float u1,
+                                    float u2, uint kind) {
   VndfDraw draw;
   // Adding and taking away 1.5 x 2^23 rounds to a whole number: q = u below one half, u - 1 above.
   float4 whole = make4(12582912.0f, 12582912.0f, 12582912.0f, 12582912.0f);
@@ -259,12 +259,21 @@ VNDF_FUNCTION VndfDraw vndf_draw(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) d
 }
 
 /// The scale of slope y, times d.
-VNDF_FUNCTION float vndf_scale(VNDF_IN(VndfTables) t, float sigma, float d, uint kind) {
+VNDF_FUNCTION float vndf_scale_as(VNDF_IN(VndfTables) t, float sigma, float d, uint kind) {
   if (kind == kVndfAny && t.rim > 0.0f) {
     float m = sigma - 0.5f, edge = t.rim * d;
     return square_root(larger((edge - m) * (edge + m), 0.0f));
   }
   return t.scale_root * (0.5f - d) + t.scale_constant * d;
+}
+
+/// The same for any tables.
+VNDF_FUNCTION VndfDraw vndf_draw(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) d, float u1,
+                                 float u2) {
+  return vndf_draw_as(t, d, u1, u2, kVndfAny);
+}
+VNDF_FUNCTION float vndf_scale(VNDF_IN(VndfTables) t, float sigma, float d) {
+  return vndf_scale_as(t, sigma, d, kVndfAny);
 }
 
 // 3. rotate, 4. unstretch, 5. compute the normal
@@ -275,7 +284,7 @@ VNDF_FUNCTION vec3 vndf_unstretched(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection
   float d = sigma * (1.0f - sigma);
   // Minus slope x, which is at most the cotangent z / h.
   float x = larger((0.5f - sigma) * w.hu, -(d * w.z));
-  float y = vndf_scale(t, sigma, d, kind) * v * w.hu;
+  float y = vndf_scale_as(t, sigma, d, kind) * v * w.hu;
   return make3(w.alpha_x * (w.x * x + w.y * y), w.alpha_y * (w.y * x - w.x * y), d * w.h2);
 }
 
@@ -288,7 +297,7 @@ VNDF_FUNCTION vec3 vndf_unit_or_up(vec3 m) {
 
 VNDF_FUNCTION vec3 vndf_sample_as(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w, float u1,
                                   float u2, uint kind) {
-  VndfDraw draw = vndf_draw(t, w, u1, u2, kind);
+  VndfDraw draw = vndf_draw_as(t, w, u1, u2, kind);
   return vndf_unit_or_up(vndf_unstretched(t, w, draw.root * draw.root, draw.v, kind));
 }
 
@@ -354,7 +363,7 @@ VNDF_FUNCTION float vndf_draw_density(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirecti
       magnitude(vndf_rate(draw.conditional, draw.f[2])) * vndf_second_rate(t, draw.places[2]);
   float ratio = square_root(m.x * m.x + m.y * m.y + m.z * m.z) / w.h2;
   float stretch = t.unit * t.unit * w.alpha_x * w.alpha_y;
-  float jacobian = stretch * (0.5f - d) * vndf_scale(t, sigma, d, kVndfAny) * dsigma * dv;
+  float jacobian = stretch * (0.5f - d) * vndf_scale(t, sigma, d) * dsigma * dv;
   float density = ratio * ratio * ratio / jacobian;
   return !hidden && !clamped && density <= kVndfLargest ? density : kVndfLargest;
 }
@@ -368,7 +377,7 @@ struct VndfSampledNormal {
 VNDF_FUNCTION VndfSampledNormal vndf_sample_with_density(VNDF_IN(VndfTables) t,
                                                          VNDF_IN(VndfDirection) w, float u1,
                                                          float u2) {
-  VndfDraw draw = vndf_draw(t, w, u1, u2, kVndfAny);
+  VndfDraw draw = vndf_draw(t, w, u1, u2);
   vec3 m = vndf_unstretched(t, w, draw.root * draw.root, draw.v, kVndfAny);
   VndfSampledNormal sampled;
   sampled.wm = vndf_unit_or_up(m);
@@ -398,7 +407,7 @@ VNDF_FUNCTION vec2 vndf_slope_of(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w
   float part = 1.0f / (upper + z);
   float d = (upper * part) * (z * part);
   float sigma = x < 0.0f ? z * part : upper * part;
-  return make2(sigma, y * (part * upper * part) / vndf_scale(t, sigma, d, kVndfAny));
+  return make2(sigma, y * (part * upper * part) / vndf_scale(t, sigma, d));
 }
 
 /// The largest u1 in one half whose sigma is not above that asked for; or u2 with its y.
@@ -408,7 +417,7 @@ VNDF_FUNCTION float vndf_bisect(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w,
   for (uint step = 0u; step < 31u && low + 1u < high; ++step) {
     uint middle = low + ((high - low) >> 1);
     float u = float_of(middle);
-    VndfDraw draw = vndf_draw(t, w, second ? given_u1 : u, second ? u : 0.5f, kVndfAny);
+    VndfDraw draw = vndf_draw(t, w, second ? given_u1 : u, second ? u : 0.5f);
     if ((second ? draw.v : draw.root * draw.root) <= target)
       low = middle;
     else
@@ -449,7 +458,9 @@ VNDF_FUNCTION float vndf_curve(VNDF_IN(VndfTables) t, VndfCurve curve, float pla
       float offset = fetch_guide(t.block, at + 16u).start;
       VndfCell cell = vndf_cell(t, begin.offset, end.offset, (x - begin.start) + offset);
       float4 cubic = fetch4(t.block, cell.offset, 0u);
-      return power_of_two(vndf_value(cubic, cell.f));
+      // The square of a far place would overflow.
+      float rest = cubic[2] + cell.f * (cubic[1] + cell.f * cubic[3]);
+      return power_of_two(cubic[0] + cell.f * rest);
     }
   }
   return 0.0f;
