@@ -76,9 +76,9 @@ TEST_CASE("a kernel differs from its pair by no more than the tolerance") {
 TEST_CASE("a smaller tolerance takes more bytes") {
   const SlopeTables& pair = *small_tables("ggx").tables;
   const auto bytes = [&](double tolerance) {
-    return bake(pair, {.tolerance = tolerance, .max_bytes = 1 << 20}).sampling_bytes();
+    return bake(pair, {.tolerance = tolerance}).sampling_bytes();
   };
-  CHECK(bytes(1e-6) > bytes(1e-4));
+  CHECK(bytes(1e-5) > bytes(1e-3));
   CHECK(bytes(1e-4) > bytes(1e-2));
 }
 
@@ -102,8 +102,9 @@ TEST_CASE("the same pair gives the same bytes") {
 }
 
 TEST_CASE("slope x never decreases with u1 nor slope y with u2, but for their rounding") {
-  // Some roundings, more where the cubic of a map is steep; of a value near 0 those of its cell.
-  constexpr double kBack = 64 * 0x1p-23, kSmallest = 0.1;
+  // Of a value near 0 that of the others in its cell. Where the root is made of s by the map, it
+  // changes by up to twice the part that s does, and s is rounded as often.
+  constexpr double kRounded = 4 * 0x1p-23, kSmallest = 0.1;
   const std::vector<float> us = hard_numbers();
   for (const auto& law : kLaws)
     for (const double theta : {0.0, 1e-3, 20.0, 60.0, 85.0, 90.0}) {
@@ -120,8 +121,8 @@ TEST_CASE("slope x never decreases with u1 nor slope y with u2, but for their ro
         v = y.v;
       }
       CAPTURE(law, theta);
-      CHECK(worst_root <= kBack);
-      CHECK(worst_v <= kBack);
+      CHECK(worst_root <= (kernel.tables().separable != 0 ? 1 : 3) * kRounded);
+      CHECK(worst_v <= kRounded);
     }
 }
 

@@ -112,13 +112,26 @@ bool increases(const Node& low, const Node& high, double width) {
   return along(low) && along(high);
 }
 
+/// The cubic between two nodes, with derivatives that keep it from turning back.
+Cubic limited_hermite(const Node& low, const Node& high, double width) {
+  const double most = kSteepest * (high.value - low.value) / width;
+  const auto limited = [most](double derivative) {
+    return std::clamp(derivative, std::min(most, 0.0), std::max(most, 0.0));
+  };
+  return hermite({low.value, limited(low.derivative)}, {high.value, limited(high.derivative)},
+                 width);
+}
+
 /// Whether one cubic follows a row of the surface from p = `begin` to `end`.
 bool follows_column(const Surface& surface, const Columns& columns, const Criterion& criterion,
                     double row, double begin, double end) {
   const Node low = node_at(surface, columns, row, begin),
              high = node_at(surface, columns, row, end);
-  if (!increases(low, high, end - begin)) return false;
-  const Cubic cubic = hermite(low, high, end - begin);
+  // Next to the pointed middle of a law a derivative may be infinite; where too few samples land to
+  // see it, it is limited.
+  const double mass = std::abs(columns.probability(end) - columns.probability(begin));
+  if (mass > criterion.tolerance / 4 && !increases(low, high, end - begin)) return false;
+  const Cubic cubic = limited_hermite(low, high, end - begin);
   return std::ranges::all_of(kPlacesInColumn, [&](double f) {
     const double p = begin + f * (end - begin), q = columns.probability(p);
     return criterion.accepts(baking::at(cubic, p - begin), surface.at(row, q), q);
@@ -403,8 +416,8 @@ void put_column(KernelBlock& block, const Surface& surface, const Columns& colum
     std::array<Cubic, 4> along;
     for (std::size_t i = 0; i < 4; ++i) {
       const double at = surface.row(row.begin + kRowPlaces[i] * row.width() - row_offset);
-      along[i] = hermite(node_at(surface, columns, at, column.begin),
-                         node_at(surface, columns, at, column.end), column.width());
+      along[i] = limited_hermite(node_at(surface, columns, at, column.begin),
+                                 node_at(surface, columns, at, column.end), column.width());
     }
     std::array<Cubic, 4> patch;  // by the power of the place in the row
     for (std::size_t k = 0; k < 4; ++k) {
@@ -474,8 +487,8 @@ void put_conditional(KernelBlock& block, KernelHeader& h, const Plan& plan,
   if (plan.separable) {
     const Surface surface = conditional_surface(slopes, false);
     for (const AxisCell& cell : plan.conditional.cells)
-      block.put_cubic(hermite(node_at(surface, plan.columns, 0, cell.begin),
-                              node_at(surface, plan.columns, 0, cell.end), cell.width()));
+      block.put_cubic(limited_hermite(node_at(surface, plan.columns, 0, cell.begin),
+                                      node_at(surface, plan.columns, 0, cell.end), cell.width()));
     h.conditional = block.put_guide(plan.conditional, first, 16);
     return;
   }

@@ -40,11 +40,11 @@ class KernelDirection {
  public:
   /// Draws a normal as Kernel::sample() does.
   Vec3<float> sample(float u1, float u2) const noexcept {
-    return kernel::vndf_sample(*tables_, direction_, u1, u2);
+    return kernel::vndf_sample(tables_, direction_, u1, u2);
   }
   /// The normal of sample(), with the density of the map there (Kernel::sample_with_density()).
   KernelNormal sample_with_density(float u1, float u2) const noexcept {
-    const auto sampled = kernel::vndf_sample_with_density(*tables_, direction_, u1, u2);
+    const auto sampled = kernel::vndf_sample_with_density(tables_, direction_, u1, u2);
     return {sampled.wm, sampled.pdf};
   }
 
@@ -54,9 +54,11 @@ class KernelDirection {
   friend class Kernel;
   KernelDirection(const kernel::VndfTables& tables, const Vec3<float>& wi,
                   const Alpha<float>& alpha) noexcept
-      : tables_(&tables), direction_(kernel::vndf_at(tables, wi, alpha.x, alpha.y)) {}
 
-  const kernel::VndfTables* tables_;
+      : tables_(tables), direction_(kernel::vndf_at(tables, wi, alpha.x, alpha.y)) {}
+
+  // A copy, so that it stays in registers while normals are written.
+  kernel::VndfTables tables_;
   kernel::VndfDirection direction_;
 };
 
@@ -70,7 +72,7 @@ class Kernel {
   /// The view itself, for batches and for other devices.
   const kernel::VndfTables& tables() const { return tables_; }
 
-  /// Step 1: `wi` stretched. Refers to this kernel, which must live as long.
+  /// Step 1: `wi` stretched.
   KernelDirection at(const Vec3<float>& wi, const Alpha<float>& alpha) const noexcept {
     return {tables_, wi, alpha};
   }

@@ -9,8 +9,8 @@ namespace vndf::baking {
 namespace {
 
 // Next to q = 1/2 the conditional's value and its column both change as a root, and their quotient
-// has no digits: the derivative by q is that of 1/2 - q = 1e-4, the nearest with digits.
-constexpr double kLeastColumn = 0.01;
+// has no digits: the derivative by q is that of 1/2 - q = 1e-6, the nearest with digits.
+constexpr double kLeastColumn = 1e-3;
 
 // Below it slopes leave even double precision.
 constexpr double kLeastSigma = 1e-300, kLeastComplement = 0x1p-50;
