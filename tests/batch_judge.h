@@ -1,17 +1,19 @@
-// How far a normal may be from the one that TabulatedSampler<float> draws (sample_batch.h).
+// Batches beside the scalar kernel, sample by sample.
 #pragma once
 
-#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include "batch/sample_batch.h"
 #include "random_inputs.h"
-#include "vndf/tabulated_sampler.h"
+#include "vndf/kernel.h"
 
 namespace vndf::test {
 
 /// Distance on the unit sphere, for small angles the angle in radians, of two normals brought to
-/// unit roughness and mean slope.
+/// unit roughness.
 template <class A, class B>
 double stretched_angle(const Vec3<A>& a, const Vec3<B>& b, const Alpha<double>& unit_alpha) {
   const auto stretched = [&](double x, double y, double z) {
@@ -23,45 +25,13 @@ double stretched_angle(const Vec3<A>& a, const Vec3<B>& b, const Alpha<double>& 
   return std::hypot(p.x - q.x, p.y - q.y, p.z - q.z);
 }
 
-class BatchJudge {
- public:
-  explicit BatchJudge(const std::shared_ptr<const SlopeTables>& tables)
-      : single_(tables), double_(tables) {}
-
-  const TabulatedSampler<float>& sampler() const { return single_; }
-
-  /// Angle from the scalar sample, less that by which a change of u1 and u2 by kBatchUError turns
-  /// the normal: at most allowed() for a batch as promised.
-  double excess(const Vec3<float>& m, const SamplerInput& in) const {
-    const double mu = single_.tables().mean_slope;
-    const Alpha<double> unit{in.alpha.x * mu, in.alpha.y * mu};
-    const auto exact = double_.sample(in.wi, in.alpha, in.u1, in.u2);
-    double by_u = 0;
-    for (const double s1 : {-kBatchUError, 0.0, kBatchUError})
-      for (const double s2 : {-kBatchUError, 0.0, kBatchUError}) {
-        const auto moved =
-            double_.sample(in.wi, in.alpha, probability(in.u1).u + s1, probability(in.u2).u + s2);
-        by_u = std::max(by_u, stretched_angle(moved, exact, unit));
-      }
-    return stretched_angle(m, scalar(in), unit) - by_u;
-  }
-
-  double allowed() const { return kBatchAngle * single_.tables().tail_order; }
-
-  Vec3<float> scalar(const SamplerInput& in) const {
-    return single_.sample(wi(in), alpha(in), static_cast<float>(in.u1), static_cast<float>(in.u2));
-  }
-  static Vec3<float> wi(const SamplerInput& in) {
-    return {static_cast<float>(in.wi.x), static_cast<float>(in.wi.y), static_cast<float>(in.wi.z)};
-  }
-  static Alpha<float> alpha(const SamplerInput& in) {
-    return {static_cast<float>(in.alpha.x), static_cast<float>(in.alpha.y)};
-  }
-
- private:
-  TabulatedSampler<float> single_;
-  TabulatedSampler<double> double_;
-};
+/// Whether they are one vector to the last bit, the sign of 0 included.
+inline bool same_bits(const Vec3<float>& a, const Vec3<float>& b) {
+  const auto same = [](float p, float q) {
+    return std::bit_cast<std::uint32_t>(p) == std::bit_cast<std::uint32_t>(q);
+  };
+  return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z);
+}
 
 /// Inputs and results of a batch.
 struct BatchArrays {
@@ -73,16 +43,13 @@ struct BatchArrays {
     wi_z.push_back(wi.z);
     alpha_x.push_back(alpha.x);
     alpha_y.push_back(alpha.y);
-    add(first, second);
-  }
-  /// A sample alone, for a direction that is already there.
-  void add(float first, float second) {
     u1.push_back(first);
     u2.push_back(second);
     for (auto* v : {&x, &y, &z}) v->push_back(-9);
   }
   void add(const SamplerInput& in) {
-    add(BatchJudge::wi(in), BatchJudge::alpha(in), static_cast<float>(in.u1),
+    add({static_cast<float>(in.wi.x), static_cast<float>(in.wi.y), static_cast<float>(in.wi.z)},
+        {static_cast<float>(in.alpha.x), static_cast<float>(in.alpha.y)}, static_cast<float>(in.u1),
         static_cast<float>(in.u2));
   }
 
@@ -90,10 +57,27 @@ struct BatchArrays {
   DirectionSpans wi() const { return {wi_x, wi_y, wi_z}; }
   AlphaSpans alpha() const { return {alpha_x, alpha_y}; }
   NormalSpans wm() { return {x, y, z}; }
+  Vec3<float> wi(std::size_t i) const { return {wi_x[i], wi_y[i], wi_z[i]}; }
+  Alpha<float> alpha(std::size_t i) const { return {alpha_x[i], alpha_y[i]}; }
   Vec3<float> normal(std::size_t i) const { return {x[i], y[i], z[i]}; }
-  void sample(const TabulatedSampler<float>& sampler, std::size_t per_direction = 1) {
-    sample_batch(sampler, wi(), alpha(), u1, u2, wm(), per_direction);
+
+  void sample(const Kernel& kernel) { sample_batch(kernel, wi(), alpha(), u1, u2, wm()); }
+
+  /// How many normals are not those of the scalar kernel, bit for bit.
+  std::size_t differences(const Kernel& kernel) const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < size(); ++i)
+      if (!same_bits(normal(i), kernel.sample(wi(i), alpha(i), u1[i], u2[i]))) ++count;
+    return count;
   }
 };
+
+/// `n` random inputs, hard ones among them.
+inline BatchArrays hard_batch(std::size_t n) {
+  RandomInputs random(11);
+  BatchArrays batch;
+  for (std::size_t i = 0; i < n; ++i) batch.add(random.hard());
+  return batch;
+}
 
 }  // namespace vndf::test

@@ -1,15 +1,14 @@
-// Tables of every kind that a sampler can meet, made of formulas, and every target for them.
+// Tables of every kind that a kernel can meet, made of formulas, and every target for them.
 #pragma once
 
 #include <cmath>
 #include <functional>
-#include <limits>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include <hwy/highway.h>
 
+#include "vndf/bake.h"
 #include "vndf/slope_tables.h"
 
 namespace vndf::test {
@@ -27,54 +26,47 @@ inline QuantileTable power_table(std::size_t rows, std::size_t columns, RowBlend
   return {rows, columns, values, blend, tangents};
 }
 
-inline QuantileTable conditional_table(std::size_t rows, std::size_t columns, RowBlend blend) {
-  return power_table(rows, columns, blend, 0.999, Tangents::five_points_even);
-}
-
-inline SlopeTables plain_tables() {
+/// A pair whose slopes x and y are independent but for the scale of y.
+inline SlopeTables separable_pair() {
   const LogCurve<double> curve({{0, 1, Grading::none, {{0, 0}, {-1, -1}}}}, true);
-  SlopeTables tables;
-  tables.distribution = "cubic rows, conditional of one row";
-  tables.mean_slope = 0.7;
-  tables.marginal = power_table(12, 40, RowBlend::cubic);
-  tables.conditional = conditional_table(1, 24, RowBlend::linear);
-  tables.log_ndf = curve;
-  tables.log_backfacing = curve;
-  return tables;
+  SlopeTables pair;
+  pair.mean_slope = 0.7;
+  pair.marginal = power_table(12, 40, RowBlend::cubic);
+  pair.conditional = power_table(1, 24, RowBlend::linear, 0.999, Tangents::five_points_even);
+  pair.log_ndf = curve;
+  pair.log_backfacing = curve;
+  return pair;
 }
 
-inline std::vector<std::shared_ptr<const SlopeTables>> all_kinds_of_tables() {
-  std::vector<std::shared_ptr<const SlopeTables>> all{share(plain_tables())};
+struct NamedTables {
+  std::string name;
+  KernelTables tables;
+};
+
+inline std::vector<NamedTables> make_all_kinds_of_tables() {
+  std::vector<NamedTables> all;
   const auto add = [&](const std::string& name, auto change) {
-    SlopeTables tables = plain_tables();
-    tables.distribution = name;
-    change(tables);
-    all.push_back(share(tables));
+    SlopeTables pair = separable_pair();
+    change(pair);
+    constexpr double kTolerance = 1e-4;
+    constexpr std::size_t kEnough = std::size_t{1} << 22;
+    all.push_back({name, bake(pair, {kTolerance, kEnough})});
+    // Of what does not fit the smaller layout is taken, by the root of q.
+    const std::size_t less = all.back().tables.sampling_bytes() / 4 * 3;
+    all.push_back({name + ", columns by the root", bake(pair, {kTolerance, less})});
   };
-  add("linear rows with knots", [](SlopeTables& t) {
-    t.marginal = power_table(9, 17, RowBlend::linear);
-    t.conditional = conditional_table(2, 3, RowBlend::linear);
-    t.marginal_rows = {{0, 0}, {0.25, 0.5}, {0.5, 0.625}, {0.875, 1}};
-    t.conditional_rows = {{0, 0}, {0.75, 1}};
-    t.conditional_unit = 2.5;
+  add("separable", [](SlopeTables&) {});
+  add("rows in slope x", [](SlopeTables& pair) {
+    pair.conditional = power_table(4, 31, RowBlend::cubic, 0.999, Tangents::five_points_even);
   });
-  add("cubic conditional", [](SlopeTables& t) {
-    t.conditional = conditional_table(4, 31, RowBlend::cubic);
-    t.conditional_quadratic = 0.25;
-  });
-  add("scale that does not grow with x, slopes to infinity", [](SlopeTables& t) {
-    t.conditional = power_table(1, 24, RowBlend::linear, 1, Tangents::five_points_even);
-    t.conditional_quadratic = 0;
-  });
-  add("marginal of one row",
-      [](SlopeTables& t) { t.marginal = power_table(1, 20, RowBlend::cubic); });
-  add("bounded slopes", [](SlopeTables& t) { t.support = 1.75; });
-  add("marginal through a map", [](SlopeTables& t) {
-    t.marginal_map = {{0, 0.125}, {0.25, 0.25}, {0.375, 0.25}, {0.875, 0.25}, {1, 0.0625}};
-  });
-  for (const int order : {2, 16})
-    add("tails of order " + std::to_string(order),
-        [order](SlopeTables& t) { t.tail_order = order; });
+  add("a scale that does not grow with x",
+      [](SlopeTables& pair) { pair.conditional_quadratic = 0; });
+  add("bounded slopes", [](SlopeTables& pair) { pair.support = 1.75; });
+  return all;
+}
+
+inline const std::vector<NamedTables>& all_kinds_of_tables() {
+  static const std::vector<NamedTables> all = make_all_kinds_of_tables();
   return all;
 }
 

@@ -9,185 +9,141 @@
 #define VNDF_BATCH_NORMALS_INL_H
 #endif
 
-#include <cmath>
 #include <cstddef>
-#include <limits>
+#include <cstdint>
 
 #include <hwy/highway.h>
 
 #include "batch/batch_kernel.h"
 #include "batch/blocks.h"
-#include "batch/incidents-inl.h"
-#include "batch/table_lookup-inl.h"
+#include "batch/cells-inl.h"
 #include "batch/vectors-inl.h"
-#include "vndf/tabulated_sampler.h"
+#include "vndf/kernel.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace vndf::batch::HWY_NAMESPACE {
 namespace {
 
-/// vndf::marginal_column: t = 1 / (1 + b / a), (a / b)^2 = root of u / (1 - u).
-HWY_INLINE V marginal_column(V u) {
-  const V one = set(1.0f);
-  const V square = hn::Mul(u, inverse_root(hn::Mul(u, hn::Sub(one, u))));
-  return hn::Div(one, hn::Add(one, inverse_root(square)));
-}
-
-/// vndf::conditional_column of vndf::fold: t = 1 / (1 + a / b), (a / b)^2 = (s + s^2) / p.
-HWY_INLINE V conditional_column(V u) {
-  const V one = set(1.0f), complement = hn::Sub(one, u);
-  const V s = hn::Sqrt(hn::Mul(set(2.0f), hn::Min(u, complement)));
-  const V p = hn::Abs(hn::Sub(u, complement)), square = hn::MulAdd(s, s, s);
-  return hn::Div(one, hn::MulAdd(square, inverse_root(hn::Mul(square, p)), one));
-}
-
-HWY_INLINE BoundedVector from_order(BoundedVector x, int order) {
-  for (int n = order; n > 1; n /= 2) {
-    const V a = hn::Mul(x.sigma, x.sigma), b = hn::Mul(x.complement, x.complement);
-    const V scale = hn::Div(set(1.0f), hn::Add(a, b));
-    x = {hn::Mul(a, scale), hn::Mul(b, scale)};
-  }
-  return x;
-}
-
 /// Everything between the incident directions of a block and its normals, in short loops: one that
 /// waits for a table or a root then has the next samples at hand.
 class Sampling {
  public:
-  Sampling(const TabulatedSampler<float>& sampler, Samples& samples)
-      : sampler_(sampler), tables_(sampler.tables()), samples_(samples) {}
+  Sampling(const kernel::VndfTables& tables, Samples& samples) : t_(tables), samples_(samples) {}
 
-  void block(std::size_t begin, const Incidents& incidents) {
+  /// The normals of the block that begins at sample `begin`.
+  void block(std::size_t begin, const Directions& directions) {
     const std::size_t n = block_size(begin, samples_.size);
-    const float* u2 = samples_.u2.block(begin);
-    place_columns(incidents, samples_.u1.block(begin), u2, n);
-    // 2.a marginal
-    if (sampler_.marginal_map().identity())
-      unmapped_marginal(incidents, n);
-    else
-      mapped_marginal(incidents, n);
-    // 2.b conditional
-    place_across(incidents, u2, n);
+    // 2. sample the slope of the stretched configuration
+    place_columns(directions, samples_.u1.block(begin), samples_.u2.block(begin), n);
+    draw_slope_x(directions, n);
+    if (t_.separable == 0) place_slope_rows(n);
+    draw_slope_y(n);
     // 3. rotate, 4. unstretch, 5. compute the normal
-    write_normals(incidents, begin, n);
+    write_normals(directions, begin, n);
   }
 
  private:
-  /// Columns in both tables. That of the conditional is without the row, which is not known yet.
-  void place_columns(const Incidents& incidents, const float* u1, const float* u2, std::size_t n) {
+  struct Column {
+    V place;
+    W upper;  ///< all bits where u is above one half
+  };
+
+  /// The place of u on the axis of columns; `apart` is added to its bits above one half, and adding
+  /// and taking away 1.5 x 2^23 rounds to a whole number: q = u below one half, u - 1 above.
+  HWY_INLINE Column column(V u, std::uint32_t apart) const {
+    const V whole = set(12582912.0f);
+    u = hn::Min(hn::Max(u, set(kernel::kVndfLeastU)), set(kernel::kVndfMostU));
+    V q = hn::Sub(u, hn::Sub(hn::Add(u, whole), whole));
+    const W upper =
+        hn::BitCast(dw, hn::BroadcastSignBit(hn::BitCast(hn::RebindToSigned<Words>(), q)));
+    if (t_.column_roots != 0) q = root_column(q);
+    return {floats_of(hn::Add(bits_of(q), hn::And(upper, set(apart)))), upper};
+  }
+
+  /// kernel::vndf_root_columns.
+  HWY_INLINE V root_column(V q) const {
+    const V p = hn::Add(hn::Sqrt(hn::Abs(hn::Add(q, q))), set(t_.column_offset));
+    return hn::CopySignToAbs(p, q);
+  }
+
+  HWY_INLINE void place_columns(const Directions& directions, const float* u1, const float* u2,
+                                std::size_t n) {
     for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
-      place_column(tables_.marginal, marginal_column(inside(hn::LoadU(d, u1 + i))),
-                   hn::Load(di, incidents.rows.begin.data() + i), marginal_, i);
-      place_column(tables_.conditional, conditional_column(inside(hn::LoadU(d, u2 + i))),
-                   hn::Zero(di), conditional_, i);
+      for (const float* input : {u1, u2}) prefetch_ahead(input + i);
+      const Column first = column(hn::LoadU(d, u1 + i), t_.column_upper);
+      CellVector cell = cell_of(t_.block, t_.marginal_guide, t_.column_shift, first.place);
+      cell.offset = hn::Add(cell.offset, load(directions.row, i));
+      store(cell, marginal_, i);
+      const Column second = column(hn::LoadU(d, u2 + i), kernel::kVndfSign);
+      store(cell_of(t_.block, t_.conditional_guide, t_.column_shift, second.place), conditional_,
+            i);
+      store(hn::And(second.upper, set(kernel::kVndfSign)), signs_, i);
     }
   }
 
-  HWY_INLINE V marginal_value(const Incidents& incidents, std::size_t i) const {
-    return value(tables_.marginal, load(incidents.rows.fraction, i), marginal_, i);
-  }
-
-  void unmapped_marginal(const Incidents& incidents, std::size_t n) {
-    for (std::size_t i = 0; i < n; i += hn::Lanes(d))
-      store(hn::Mul(load(incidents.edge_sigma, i), marginal_value(incidents, i)), sigma_, i);
-  }
-
-  /// sigma_n by the map: its pieces are read as a table is, four coefficients at once.
-  void mapped_marginal(const Incidents& incidents, std::size_t n) {
-    const MonotoneMap<float>& map = sampler_.marginal_map();
-    for (std::size_t i = 0; i < n; i += hn::Lanes(d))
-      store(marginal_value(incidents, i), sigma_, i);
+  HWY_INLINE void draw_slope_x(const Directions& directions, std::size_t n) {
     for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
-      const CellVector piece = cell_within(load(sigma_, i), map.pieces());
-      hn::Store(hn::ShiftLeft<2>(piece.index), di, pieces_.begin.data() + i);
-      store(piece.fraction, pieces_.fraction, i);
+      const CubicVector cubic =
+          blended_cubics(t_.block, marginal_.offset.data() + i, load(directions.g, i));
+      const V root = cubic.at(load(marginal_.f, i));
+      store(hn::Min(hn::Max(root, set(t_.least_root)), set(t_.most_root)), root_, i);
     }
+  }
+
+  /// kernel::vndf_slope_row.
+  HWY_INLINE void place_slope_rows(std::size_t n) {
     for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
-      const auto [c0, c1, c2, c3] =
-          weighted_fours<1>(map.coefficients(), 0, pieces_.begin.data() + i, nullptr);
-      const V f = load(pieces_.fraction, i);
-      store(hn::MulAdd(f, hn::MulAdd(f, hn::MulAdd(f, c3, c2), c1), c0), sigma_, i);
+      const V root = load(root_, i), m = hn::Sub(hn::Mul(root, root), set(0.5f));
+      const CellVector row = cell_of(t_.block, t_.slope_guide, t_.slope_shift,
+                                     hn::Add(hn::Abs(m), set(t_.slope_offset)));
+      store(row.f, slope_row_, i);
+      store(hn::Add(row.offset, load(conditional_.offset, i)), conditional_.offset, i);
     }
   }
 
-  /// The slope x, whose scale of y has the sign of y, and the rows of the conditional table.
-  void place_across(const Incidents& incidents, const float* u2, std::size_t n) {
-    for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
-      const BoundedVector x = marginal_slope(incidents, i);
-      const V numerator = hn::Sub(x.sigma, set(0.5f));
-      const V denominator = hn::Mul(x.sigma, x.complement);
-      store(numerator, numerator_, i);
-      store(denominator, denominator_, i);
-      const V scale = conditional_scale(numerator, denominator);
-      const M is_positive = hn::Ge(hn::LoadU(d, u2 + i), set(0.5f));
-      store(hn::IfThenElse(is_positive, scale, hn::Neg(scale)), scale_, i);
-      if (tables_.conditional.rows() == 1) continue;
-      place_rows(tables_.conditional, conditional_row(numerator, denominator), conditional_rows_,
-                 i);
-      hn::Store(hn::Add(hn::Load(di, conditional_.begin.data() + i),
-                        hn::Load(di, conditional_rows_.begin.data() + i)),
-                di, conditional_.begin.data() + i);
+  HWY_INLINE void draw_slope_y(std::size_t n) {
+    if (t_.separable != 0) {
+      for (std::size_t i = 0; i < n; i += hn::Lanes(d))
+        store_slope_y(cubics(t_.block, conditional_.offset.data() + i), i);
+    } else {
+      for (std::size_t i = 0; i < n; i += hn::Lanes(d))
+        store_slope_y(blended_cubics(t_.block, conditional_.offset.data() + i, load(slope_row_, i)),
+                      i);
     }
   }
+  HWY_INLINE void store_slope_y(const CubicVector& cubic, std::size_t i) {
+    const V v = cubic.at(load(conditional_.f, i));
+    store(floats_of(hn::Xor(bits_of(v), load(signs_, i))), v_, i);
+  }
 
-  /// TabulatedSampler::sample_marginal, from the value at the order of the table.
-  HWY_INLINE BoundedVector marginal_slope(const Incidents& incidents, std::size_t i) const {
-    const V one = set(1.0f), sigma = load(sigma_, i);
-    BoundedVector x{sigma, hn::Sub(one, sigma)};
-    if (tables_.tail_order > 1) {
-      const V held = hn::Min(sigma, load(incidents.ordered_edge, i));
-      x = from_order({held, hn::Sub(one, held)}, tables_.tail_order);
+  /// kernel::vndf_scale.
+  HWY_INLINE V scale(V sigma, V denominator) const {
+    if (t_.rim > 0) {
+      const V m = hn::Sub(sigma, set(0.5f)), edge = hn::Mul(set(t_.rim), denominator);
+      return hn::Sqrt(hn::Max(hn::Mul(hn::Sub(edge, m), hn::Add(edge, m)), hn::Zero(d)));
     }
-    // vndf::held_below
-    return {hn::Min(x.sigma, load(incidents.edge_sigma, i)),
-            hn::Max(x.complement, load(incidents.edge_complement, i))};
+    return multiply_add(set(t_.scale_root), hn::Sub(set(0.5f), denominator),
+                        hn::Mul(set(t_.scale_constant), denominator));
   }
 
-  /// ConditionalScale::at.
-  HWY_INLINE V conditional_scale(V numerator, V denominator) const {
-    const ConditionalScale<float>& s = sampler_.conditional_scale();
-    if (std::isinf(s.support)) {
-      const V square = hn::Mul(set(s.constant), hn::Mul(denominator, denominator));
-      return hn::Sqrt(hn::MulAdd(set(s.quadratic), hn::Mul(numerator, numerator), square));
-    }
-    const V edge = hn::Mul(set(s.support), denominator);
-    const V square = hn::Mul(hn::Sub(edge, numerator), hn::Add(edge, numerator));
-    return hn::Sqrt(hn::Max(hn::Zero(d), square));
-  }
-
-  /// The row coordinate of vndf::conditional_base.
-  HWY_INLINE V conditional_row(V numerator, V denominator) const {
-    const V unit = hn::Mul(set(sampler_.conditional_unit()), denominator);
-    const V hypotenuse = hn::Sqrt(hn::MulAdd(unit, unit, hn::Mul(numerator, numerator)));
-    const V size = hn::Abs(numerator);
-    const V base = hn::Mul(size, inverse_root(hn::Mul(size, hn::Add(unit, hypotenuse))));
-    return row_coordinate(sampler_.conditional_rows(), base);
-  }
-
-  void write_normals(const Incidents& incidents, std::size_t begin, std::size_t n) {
+  /// kernel::vndf_unstretched and kernel::vndf_unit_or_up.
+  HWY_INLINE void write_normals(const Directions& w, std::size_t begin, std::size_t n) {
     float *out_x = samples_.x.block(begin), *out_y = samples_.y.block(begin),
           *out_z = samples_.z.block(begin);
-    for (std::size_t i = 0; i < n; i += hn::Lanes(d))
-      store(value(tables_.conditional, load(conditional_rows_.fraction, i), conditional_, i),
-            across_, i);
     for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
-      // vndf::conditional_value_inverse, over the common denominator of x and y
-      const V v = load(across_, i), one = set(1.0f);
-      const V under = hn::Mul(hn::Sub(one, v), hn::Add(one, v));
-      const V slope_x = hn::Mul(load(numerator_, i), under);
-      const V slope_y = hn::Mul(load(scale_, i), hn::Add(v, v));
-      // 3. rotate, 4. unstretch, 5. compute the normal
-      const V cos = load(incidents.cos, i), sin = load(incidents.sin, i);
-      const V minus_x = hn::MulSub(sin, slope_y, hn::Mul(cos, slope_x));
-      const V minus_y = hn::NegMulSub(sin, slope_x, hn::Mul(cos, slope_y));
-      const V m_x = hn::Mul(load(incidents.alpha_x, i), minus_x);
-      const V m_y = hn::Mul(load(incidents.alpha_y, i), minus_y);
-      const V m_z = hn::Mul(load(denominator_, i), under);
-      // vndf::normalize_or_up; a length that inverse_root() cannot tell is none.
-      const V square = hn::MulAdd(m_x, m_x, hn::MulAdd(m_y, m_y, hn::Mul(m_z, m_z)));
-      const M is_normal = hn::And(hn::Ge(square, set(std::numeric_limits<float>::min())),
-                                  hn::Le(square, set(std::numeric_limits<float>::max())));
-      const V inverse = inverse_root(square);
+      for (const float* output : {out_x, out_y, out_z}) prefetch_ahead(output + i);
+      const V one = set(1.0f), root = load(root_, i), sigma = hn::Mul(root, root);
+      const V denominator = hn::Mul(sigma, hn::Sub(one, sigma)), hu = load(w.hu, i);
+      const V x = hn::Max(hn::Mul(hn::Sub(set(0.5f), sigma), hu),
+                          hn::Neg(hn::Mul(denominator, load(w.z, i))));
+      const V y = hn::Mul(hn::Mul(scale(sigma, denominator), load(v_, i)), hu);
+      const V wx = load(w.x, i), wy = load(w.y, i);
+      const V m_x = hn::Mul(load(w.alpha_x, i), hn::Add(hn::Mul(wx, x), hn::Mul(wy, y)));
+      const V m_y = hn::Mul(load(w.alpha_y, i), hn::Sub(hn::Mul(wy, x), hn::Mul(wx, y)));
+      const V m_z = hn::Mul(denominator, load(w.h2, i));
+      const V square = hn::Add(hn::Add(hn::Mul(m_x, m_x), hn::Mul(m_y, m_y)), hn::Mul(m_z, m_z));
+      const V inverse = hn::Div(one, hn::Sqrt(square));
+      const auto is_normal = within(square, kernel::kVndfLeast, kernel::kVndfLargest);
       hn::StoreU(hn::IfThenElseZero(is_normal, hn::Mul(m_x, inverse)), d, out_x + i);
       hn::StoreU(hn::IfThenElseZero(is_normal, hn::Mul(m_y, inverse)), d, out_y + i);
       hn::StoreU(hn::IfThenElse(is_normal, hn::Mul(m_z, inverse), one), d, out_z + i);
@@ -197,13 +153,11 @@ class Sampling {
     samples_.z.finish(begin);
   }
 
-  const TabulatedSampler<float>& sampler_;
-  const SlopeTables& tables_;
+  const kernel::VndfTables& t_;
   Samples& samples_;
-  Places marginal_, pieces_, conditional_;
-  Rows conditional_rows_;
-  Lanes<float> sigma_, numerator_, denominator_, scale_;
-  Lanes<float> across_;  // v = 2 sigma - 1 of |y| / scale
+  Cells marginal_, conditional_;
+  Lanes<std::uint32_t> signs_;
+  Lanes<float> root_, slope_row_, v_;
 };
 
 }  // namespace

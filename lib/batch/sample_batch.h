@@ -1,13 +1,11 @@
 // Many visible normals at once, eight or sixteen side by side: Algorithm 4 of Heitz and d'Eon 2014
 // on structures of arrays, with the widest vectors of the processor, chosen when the program runs
-// (Google Highway). Every sample is that of TabulatedSampler<float>::sample(), but for rounding.
+// (Google Highway). Every sample is that of Kernel::sample(), to the last bit.
 #pragma once
 
-#include <cstddef>
 #include <span>
 
-#include "vndf/incident_sampler.h"
-#include "vndf/tabulated_sampler.h"
+#include "vndf/kernel.h"
 #include "vndf/vec.h"
 
 namespace vndf {
@@ -23,29 +21,20 @@ struct NormalSpans {
   std::span<float> x, y, z;
 };
 
-/// A normal of a batch is that of TabulatedSampler<float>::sample(), but for what a change of u1
-/// and u2 by kBatchUError makes and for kBatchAngle, in radians between the normals at unit
-/// roughness and unit mean slope; inputs outside their range give the same (0, 0, 1). Targets
-/// differ among themselves by as much, for some of them fuse multiplications and additions. One in
-/// 4000 of inputs chosen to be hard exceeds it, up to sevenfold, at the rim of bounded slopes, and
-/// fewer by up to 1.8 times elsewhere.
-inline constexpr double kBatchUError = 3e-7, kBatchAngle = 1e-6;
-
-/// Draws wm[i] for wi[k], alpha[k], u1[i], u2[i], k = i / per_direction: of each direction
-/// `per_direction` samples side by side, whose setup is done once. Any length; spans need no
-/// alignment, and `wm` may not overlap the others. Throws std::invalid_argument, naming them, where
-/// u1, u2 and wm differ in size or are not `per_direction` times as long as wi and alpha.
-void sample_batch(const TabulatedSampler<float>& sampler, const DirectionSpans& wi,
-                  const AlphaSpans& alpha, std::span<const float> u1, std::span<const float> u2,
-                  const NormalSpans& wm, std::size_t per_direction = 1);
+/// Draws wm[i] for wi[i], alpha[i], u1[i], u2[i]. Any length; spans need no alignment, and `wm` may
+/// not overlap the others. The normals are those of Kernel::sample() bit for bit, on every target
+/// and for any input, where that is compiled without fused multiplications and additions (without
+/// -mfma, -march=native and the like, or with -ffp-contract=off). Throws std::invalid_argument,
+/// naming it, where a span differs in size from wm.x.
+void sample_batch(const Kernel& kernel, const DirectionSpans& wi, const AlphaSpans& alpha,
+                  std::span<const float> u1, std::span<const float> u2, const NormalSpans& wm);
 
 /// The same with one roughness for all.
-void sample_batch(const TabulatedSampler<float>& sampler, const DirectionSpans& wi,
-                  const Alpha<float>& alpha, std::span<const float> u1, std::span<const float> u2,
-                  const NormalSpans& wm, std::size_t per_direction = 1);
+void sample_batch(const Kernel& kernel, const DirectionSpans& wi, const Alpha<float>& alpha,
+                  std::span<const float> u1, std::span<const float> u2, const NormalSpans& wm);
 
 /// The same with one incident direction and roughness for all, whose setup is already done.
-void sample_batch(const IncidentSampler<float>& incident, std::span<const float> u1,
+void sample_batch(const KernelDirection& direction, std::span<const float> u1,
                   std::span<const float> u2, const NormalSpans& wm);
 
 }  // namespace vndf

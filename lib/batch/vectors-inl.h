@@ -9,12 +9,15 @@
 #define VNDF_BATCH_VECTORS_INL_H
 #endif
 
+#include <algorithm>
 #include <cstddef>
-#include <limits>
+#include <cstdint>
 
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #include "batch/blocks.h"
+#include "vndf/kernel.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace vndf::batch::HWY_NAMESPACE {
@@ -23,47 +26,59 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using Floats = hn::CappedTag<float, kMaxLanes>;
-using Ints = hn::RebindToSigned<Floats>;
+using Words = hn::RebindToUnsigned<Floats>;
 using V = hn::Vec<Floats>;
-using M = hn::Mask<Floats>;
+using W = hn::Vec<Words>;
 constexpr Floats d;
-constexpr Ints di;
+constexpr Words dw;
 
 HWY_INLINE V set(float x) {
   return hn::Set(d, x);
 }
-HWY_INLINE V set(std::size_t n) {
-  return hn::Set(d, static_cast<float>(n));
+HWY_INLINE W set(std::uint32_t x) {
+  return hn::Set(dw, x);
 }
 HWY_INLINE V load(const Lanes<float>& from, std::size_t i) {
   return hn::Load(d, from.data() + i);
 }
+HWY_INLINE W load(const Lanes<std::uint32_t>& from, std::size_t i) {
+  return hn::Load(dw, from.data() + i);
+}
 HWY_INLINE void store(V v, Lanes<float>& to, std::size_t i) {
   hn::Store(v, d, to.data() + i);
 }
-HWY_INLINE V clamped(V x) {
-  return hn::Min(hn::Max(x, hn::Zero(d)), set(1.0f));
+HWY_INLINE void store(W v, Lanes<std::uint32_t>& to, std::size_t i) {
+  hn::Store(v, dw, to.data() + i);
+}
+HWY_INLINE W bits_of(V a) {
+  return hn::BitCast(dw, a);
+}
+HWY_INLINE V floats_of(W a) {
+  return hn::BitCast(d, a);
 }
 
-/// The nearest number in [0, 1]; 0 where there is none.
-HWY_INLINE V inside(V x) {
-  return hn::IfThenElseZero(hn::Gt(x, hn::Zero(d)), hn::Min(x, set(1.0f)));
+/// a b + c in two roundings, as the scalar kernel has it.
+HWY_INLINE V multiply_add(V a, V b, V c) {
+  return hn::Add(hn::Mul(a, b), c);
 }
 
-/// 1 / root of x >= 0, finite, to 2 roundings; an x below the smallest normal number counts as
-/// that. The processors of x86 begin with 11 bits, or with 14 where vectors have 16 lanes, which a
-/// step of Halley's or of Newton's makes full.
-HWY_INLINE V inverse_root(V x) {
-  x = hn::Max(x, set(std::numeric_limits<float>::min()));
-#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
-  // With y = (1 - h)^(1/2) / root(x): 1 / root(x) = y (1 + h / 2 + 3 h^2 / 8 + ...).
-  const V y = hn::ApproximateReciprocalSqrt(x);
-  const V h = hn::NegMulAdd(hn::Mul(x, y), y, set(1.0f));
-  const V series = kMaxLanes == hn::Lanes(d) ? set(0.5f) : hn::MulAdd(h, set(0.375f), set(0.5f));
-  return hn::MulAdd(hn::Mul(y, h), series, y);
-#else
-  return hn::Div(set(1.0f), hn::Sqrt(x));
-#endif
+/// Asks for the cache line two blocks beyond `p`, also of an output. A batch walks ten arrays, more
+/// than the prefetchers of processors follow well; what is beyond the end of one does no harm.
+HWY_INLINE void prefetch_ahead(const float* p) {
+  const auto address = reinterpret_cast<std::uintptr_t>(p) + 2 * kBlock * sizeof(float);
+  hwy::Prefetch(reinterpret_cast<const float*>(address));
+}
+
+/// kernel::vndf_within.
+HWY_INLINE hn::Mask<Floats> within(V a, float low, float high) {
+  const W above = hn::Sub(bits_of(a), set(kernel::bits_of(low)));
+  return hn::RebindMask(d, hn::Lt(above, set(kernel::bits_of(high) - kernel::bits_of(low))));
+}
+
+/// Samples of the block that begins at `begin` of `size`, in whole vectors.
+HWY_INLINE std::size_t block_size(std::size_t begin, std::size_t size) {
+  const std::size_t lanes = hn::Lanes(d);
+  return std::min(kBlock, (size - begin + lanes - 1) / lanes * lanes);
 }
 
 }  // namespace

@@ -148,26 +148,6 @@ NormalSpans normals(const SampleBlock& b) {
   return {b.wm_x, b.wm_y, b.wm_z};
 }
 
-/// The same tables, many normals side by side.
-template <class Build>
-Contestant batched(Build build) {
-  double seconds = 0;
-  const BuiltTables built = timed(build, seconds);
-  const TabulatedSampler<float> sampler(built.tables);
-  Contestant c;
-  c.coherent = [sampler](const Vec3<float>& wi, const Alpha<float>& alpha, const SampleBlock& b) {
-    sample_batch(IncidentSampler<float>(sampler, wi, alpha), b.u1, b.u2, normals(b));
-  };
-  c.incoherent = [sampler](const SampleBlock& b) {
-    sample_batch(sampler, directions(b), AlphaSpans{b.alpha_x, b.alpha_y}, b.u1, b.u2, normals(b));
-  };
-  c.setup = setup_from(built);
-  c.bytes = sampling_bytes(*built.tables);
-  c.build_seconds = seconds;
-  c.errors = errors_of(built.certificate);
-  return c;
-}
-
 Entrant batched_caps() {
   return {"ggx caps as published, batched", "ggx", Kind::reference, 0, [] {
             Contestant c;
@@ -220,11 +200,6 @@ void add_tables(std::vector<Entrant>& list, const std::string& spec, const Field
     name << spec << " smallest for " << tolerance;
     list.push_back({name.str(), spec, Kind::compact, 0, [d, tolerance] {
                       return tabulated([&] {
-                        return precompute::smallest_tables(*d, {tolerance, kMaxCompactBytes});
-                      });
-                    }});
-    list.push_back({name.str() + ", batched", spec, Kind::compact, 0, [d, tolerance] {
-                      return batched([&] {
                         return precompute::smallest_tables(*d, {tolerance, kMaxCompactBytes});
                       });
                     }});
