@@ -46,7 +46,7 @@ TEST_CASE("help of the program and of every subcommand explains itself") {
   const Folder folder;
   const Result help = folder.run("--help");
   CHECK(help.status == 0);
-  for (const std::string name : {"build", "info", "sample", "convert", "picture", "bench",
+  for (const std::string name : {"build", "bake", "info", "sample", "convert", "picture", "bench",
                                  "experiment", "validate", "check"}) {
     CHECK_THAT(help.out, contains(name));
     CHECK(folder.run(name + " --help").status == 0);
@@ -67,7 +67,7 @@ TEST_CASE("build --json prints one object with sizes, seconds, bytes and the cer
   const auto report =
       nlohmann::json::parse(folder.run("build beckmann -o b.exr --size 24x40 --json").out);
   CHECK(report.at("marginal_size") == nlohmann::json{24, 40});
-  CHECK(report.at("conditional_size") == nlohmann::json{1, 40});
+  CHECK(report.at("conditional_size") == nlohmann::json{24, 40});
   CHECK(report.at("bytes") == fs::file_size(folder / "b.exr"));
   CHECK(report.at("seconds") > 0);
   CHECK(report.at("mass").get<double>() == Approx(1));
@@ -126,7 +126,6 @@ TEST_CASE(
   check_failure(folder.run("sample ggx.h5 --wi nan,0,1 --alpha 1"), 2, "finite");
   check_failure(folder.run("sample ggx.h5 --wi 0,0,1 --alpha 1e39"), 2, "--double");
   check_failure(folder.run("sample ggx.h5 --wi 0,0,1 --alpha 1,1e-60"), 2, "--double");
-  check_failure(folder.run("build ggx -o a.h5 --size 16 --tolerance nan"), 2, "'nan'");
   check_failure(folder.run("build ggx -o a.h5 --size 16 --threads 1000000"), 2, "4096");
   check_failure(folder.run("bench --quick --repetitions 2.5"), 2, "'2.5'");
   check_failure(folder.run("experiment variance --distribution ggx --seed x"), 2, "'x'");
@@ -240,7 +239,8 @@ TEST_CASE("the ends of u1 are minus infinity and cot(theta)") {
   const Result r =
       folder.run("sample ggx.h5 --stdin", "0.6 0 0.8 1 1 0 0.5\n0.6 0 0.8 1 1 1 0.5\n");
   CHECK_THAT(r.out, contains("-inf "));
-  CHECK(numbers(r.out.substr(r.out.find('\n') + 1))[0] == Approx(4.0 / 3).epsilon(1e-6));
+  // Between the rows of tables of 32 x 48 the end errs like everything else, by 5.5e-5 here.
+  CHECK(numbers(r.out.substr(r.out.find('\n') + 1))[0] == Approx(4.0 / 3).epsilon(1e-4));
 }
 
 TEST_CASE("sample --double answers in double precision") {
@@ -305,10 +305,10 @@ TEST_CASE("without gnuplot a picture is refused in words, and nothing is left be
 TEST_CASE("bench --quick prints a table, writes JSON and draws the picture") {
   const Folder folder;
   const Result r = folder.run(
-      "bench --quick --repetitions 1 --distribution ggx --only 'cubic 16' hemisphere "
+      "bench --quick --repetitions 1 --distribution ggx --only 'linear 16' hemisphere "
       "--json speed.json --plot speed.svg");
   CHECK(r.status == 0);
-  CHECK_THAT(r.out, contains("ggx caps as published") && contains("ggx cubic 16") &&
+  CHECK_THAT(r.out, contains("ggx caps as published") && contains("ggx linear 16") &&
                         contains("ggx hemisphere") && contains("u-error"));
   const auto json = nlohmann::json::parse(content(folder / "speed.json"));
   CHECK(json.at("entries").size() == 3);
@@ -390,14 +390,6 @@ TEST_CASE("tables that err by more than 1e-3 are not written in silence") {
   CHECK(coarse.status == 0);
   CHECK_THAT(coarse.error, contains("warning: the marginal table errs by up to"));
   CHECK(folder.run("build ggx -o a.h5 --size 64").error.empty());
-}
-
-TEST_CASE("tables that miss a tolerance are not written, and by how much is told") {
-  const Folder folder;
-  check_one_line_failure(folder.run("build ggx -o a.h5 --size 16 --tolerance 1e-6"),
-                         "times the tolerance 1e-06");
-  CHECK(folder.files().empty());
-  CHECK(folder.run("build ggx -o a.h5 --size 256 --tolerance 1e-4 --quiet").status == 0);
 }
 
 TEST_CASE("what is wrong with a distribution is told before any work, in one line") {

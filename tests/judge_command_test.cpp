@@ -77,9 +77,7 @@ TEST_CASE("validate judges tables of a formula by their recipe") {
 
 TEST_CASE("validate judges tables of every layout that build makes, by their recipe") {
   const Folder folder;
-  for (const std::string layout :
-       {"--size 48 --rows cubic", "--size 48 --precision double", "--tolerance 1e-3 --size 64",
-        "--tolerance 1e-3 --max-bytes 100000"}) {
+  for (const std::string layout : {"--size 48x64", "--size 48 --precision double"}) {
     CAPTURE(layout);
     REQUIRE(folder.run("build ggx -o t.h5 --quiet " + layout).status == 0);
     const Result r = folder.run("validate t.h5 --quick --seed 1");

@@ -27,7 +27,7 @@ RowSource source_of(Scale scale) {
 /// Largest error relative to the value when `rows` rows are interpolated linearly.
 template <class Scale>
 double worst_error(const std::vector<RowKnot>& knots, std::size_t rows, Scale scale) {
-  const RowAxis<double> axis(knots);
+  const RowAxis axis(knots);
   double worst = 0;
   for (double base = 0; base < (knots.empty() ? 1 : knots.back().base); base += 1.3e-5) {
     const double at = axis.row(base) * static_cast<double>(rows - 1);

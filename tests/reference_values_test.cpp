@@ -116,7 +116,7 @@ TEST_CASE("conditional quantiles agree with the reference values within the cert
       const double x = std::abs(r.place) / mu;  // the conditional is that of |x|
       const SlopeTables& tables = *s.built.tables;
       const ConditionalScale<double> scale_of{tables.conditional_constant,
-                                              tables.conditional_quadratic, tables.support};
+                                              tables.conditional_quadratic};
       const ConditionalSlopes conditional(s.slopes, x, scale_of);
       const double scale = mu * scale_of.at({x, 1});
       const auto cdf = [&](double y) {

@@ -10,13 +10,13 @@ using namespace vndf;
 using vndf::test::Approx;
 
 TEST_CASE("without knots rows are equidistant in the base coordinate") {
-  const RowAxis<double> axis;
+  const RowAxis axis({});
   CHECK(axis.row(0.3) == 0.3);
   CHECK(axis.base(0.3) == 0.3);
 }
 
 TEST_CASE("a row axis is linear between its knots, and its inverse undoes it") {
-  const RowAxis<double> axis({{0, 0}, {0.2, 0.6}, {0.8, 1}});
+  const RowAxis axis({{0, 0}, {0.2, 0.6}, {0.8, 1}});
   CHECK(axis.row(0.1) == Approx(0.3));
   CHECK(axis.row(0.5) == Approx(0.8));
   for (const double row : {0.0, 0.1, 0.6, 0.61, 0.99, 1.0})
@@ -24,7 +24,7 @@ TEST_CASE("a row axis is linear between its knots, and its inverse undoes it") {
 }
 
 TEST_CASE("a base coordinate outside the knots goes to the nearer end") {
-  const RowAxis<float> axis({{0, 0}, {0.2, 0.6}, {0.8, 1}});
-  CHECK(axis.row(0.9f) == 1);
-  CHECK(axis.row(-1.0f) == 0);
+  const RowAxis axis({{0, 0}, {0.2, 0.6}, {0.8, 1}});
+  CHECK(axis.row(0.9) == 1);
+  CHECK(axis.row(-1) == 0);
 }

@@ -12,16 +12,17 @@ using vndf::test::contains;
 
 namespace {
 
-const std::vector<float> kRows{0, 0.5f, 1, 0, 0.25f, 1};
+const std::vector<float> kRows{0, 0.25f, 0.5f, 0.75f, 1, 0, 0.125f, 0.25f, 0.5f, 1};
 
 SlopeTables good_tables() {
   const LogCurve<double> curve({{0, 1, Grading::none, {{0, 0}, {-1, -1}}}}, true);
   return {.distribution = "test",
           .mean_slope = 1,
-          .marginal = QuantileTable(2, 3, kRows),
-          .conditional = QuantileTable(2, 3, kRows, RowBlend::linear, Tangents::five_points_even),
+          .marginal = QuantileTable(2, 5, kRows),
+          .conditional = QuantileTable(2, 5, kRows),
           .marginal_rows = {},
           .conditional_rows = {},
+          .marginal_map = {{0, 1}, {1, 1}},
           .log_ndf = curve,
           .log_backfacing = curve};
 }
@@ -29,19 +30,13 @@ SlopeTables good_tables() {
 /// What share() says of tables whose marginal value (row, column) is `value`.
 std::string refusal(std::size_t row, std::size_t column, float value) {
   auto values = kRows;
-  values[row * 3 + column] = value;
+  values[row * 5 + column] = value;
   auto tables = good_tables();
-  tables.marginal = QuantileTable(2, 3, values);
+  tables.marginal = QuantileTable(2, 5, values);
   return check(tables).value_or("");
 }
 
 }  // namespace
-
-TEST_CASE("tables whose tangents are not of one kind are refused") {
-  SlopeTables tables = good_tables();
-  tables.conditional = tables.marginal;
-  CHECK_THROWS_WITH(share(tables), contains("conditional_tangents()"));
-}
 
 TEST_CASE("good tables are shared") {
   CHECK(share(good_tables())->distribution == "test");
@@ -57,7 +52,7 @@ TEST_CASE("a value outside [0, 1] is refused") {
 }
 
 TEST_CASE("a row that decreases is refused") {
-  CHECK(refusal(1, 2, 0.125f) == "marginal table, row 1: column 2 is below the column before it");
+  CHECK(refusal(1, 2, 0.0625f) == "marginal table, row 1: column 2 is below the column before it");
 }
 
 TEST_CASE("a map that decreases, does not begin at 0 or has a bad tangent is refused") {
@@ -67,6 +62,7 @@ TEST_CASE("a map that decreases, does not begin at 0 or has a bad tangent is ref
     return check(tables).value_or("");
   };
   CHECK(refusal_of({{0, 0}, {0.5, 1}, {1, 0}}).empty());
+  CHECK(refusal_of({}) == "marginal map: fewer than two nodes, or the first value is not 0");
   CHECK(refusal_of({{0.1, 0}, {1, 0}}) ==
         "marginal map: fewer than two nodes, or the first value is not 0");
   const std::string rule = ": not at or above the node before it in [0, 1], with a tangent >= 0";
@@ -120,11 +116,26 @@ TEST_CASE("a row axis whose knots do not increase from row 0 to row 1 is refused
   refused({{0, 0}, {0.5, 0.5}, {0.6, 0.5}, {1, 1}});
 }
 
-TEST_CASE("a tail order that is no small power of two and a support that is not > 0 are refused") {
+TEST_CASE("a scale of the conditional without meaning and a support that is not > 0 are refused") {
   auto tables = good_tables();
-  tables.tail_order = 3;
-  CHECK_THROWS_WITH(share(tables), contains("tail order"));
+  tables.conditional_constant = 0;
+  CHECK_THROWS_WITH(share(tables), contains("scale of the conditional"));
+  tables = good_tables();
+  tables.conditional_quadratic = std::numeric_limits<double>::infinity();
+  CHECK_THROWS_WITH(share(tables), contains("scale of the conditional"));
   tables = good_tables();
   tables.support = 0;
   CHECK_THROWS_WITH(share(tables), contains("support"));
+}
+
+TEST_CASE("a conditional factorises where all its rows are equal, to the last bit") {
+  auto tables = good_tables();
+  CHECK_FALSE(conditional_factorises(tables));
+  std::vector<double> row{0, 0.1, 0.3, 0.6, 1}, rows = row;
+  rows.insert(rows.end(), row.begin(), row.end());
+  tables.conditional = QuantileTable::with_double_values(2, 5, rows);
+  CHECK(conditional_factorises(tables));
+  rows.back() = 1 - 0x1p-53;
+  tables.conditional = QuantileTable::with_double_values(2, 5, rows);
+  CHECK_FALSE(conditional_factorises(tables));
 }

@@ -40,18 +40,15 @@ LogCurve<double> curve() {
   return {{segment}, true};
 }
 
-QuantileTable conditional(std::size_t height, std::size_t width) {
-  return {height, width, rows(), RowBlend::linear, Tangents::five_points_even};
-}
-
 TableFile good_file() {
   const std::vector<RowKnot> knots{{0, 0}, {0.5, 0.25}, {1, 1}};
   return {share({.distribution = "test",
                  .mean_slope = 1.5,
                  .marginal = {kRows, kColumns, rows()},
-                 .conditional = conditional(kRows, kColumns),
+                 .conditional = {kRows, kColumns, rows()},
                  .marginal_rows = knots,
                  .conditional_rows = {},
+                 .marginal_map = {{0, 0.5}, {0.25, 0.5}, {1, 0.75}},
                  .log_ndf = curve(),
                  .log_backfacing = curve()}),
           {"recipe", "program"},
@@ -236,9 +233,11 @@ TEST_CASE("the content checksum depends on all that sampling depends on, and on 
   };
   CHECK(differs([](SlopeTables& t) { t.mean_slope = 0.5; }));
   CHECK(differs([](SlopeTables& t) { t.marginal = {kColumns, kRows, rows()}; }));
-  CHECK(differs([](SlopeTables& t) { t.conditional = conditional(kRows / 2, kColumns * 2); }));
+  CHECK(differs([](SlopeTables& t) { t.conditional = {kRows / 2, kColumns * 2, rows()}; }));
   CHECK(differs([](SlopeTables& t) { t.support = 9; }));
-  CHECK(differs([](SlopeTables& t) { t.tail_order = 4; }));
+  CHECK(differs([](SlopeTables& t) { t.conditional_constant = 4; }));
+  CHECK(differs([](SlopeTables& t) { t.conditional_quadratic = 0; }));
+  CHECK(differs([](SlopeTables& t) { t.marginal_map[1].tangent = 0.25; }));
   CHECK(differs([](SlopeTables& t) { t.marginal_rows = {}; }));
   CHECK(differs([](SlopeTables& t) { t.conditional_rows = {{0, 0}, {0.5, 1}}; }));
   CHECK(differs([](SlopeTables& t) {
@@ -283,17 +282,17 @@ TEST_CASE("any attribute missing or of another type is refused") {
 
 TEST_CASE("any array missing, of another type or of another shape is refused") {
   for (const std::string name :
-       {"marginal", "conditional", "log_ndf", "log_backfacing", "marginal_rows"}) {
-    const bool is_table = name == "marginal" || name == "conditional";
-    const Array other_type =
-        is_table ? Array{{5, 7}, std::vector<double>(35)} : Array{{9, 2}, std::vector<float>(18)};
+       {"marginal", "conditional", "log_ndf", "log_backfacing", "marginal_rows", "marginal_map"}) {
     const std::string shape = "'" + name + "' has the shape ";
     check_refused([&](StoredTables& s) { s.arrays.erase(name); }, {"'" + name + "' is missing"});
-    check_refused(replace(name, other_type), {"'" + name + "' are not float"});
     check_refused(replace(name, {{9, 1}, std::vector<double>(9)}), {shape + "9 x 1"});
     check_refused(replace(name, {{1, 3}, std::vector<float>(3)}), {shape + "1 x 3"});
     check_refused(replace(name, {{35}, std::vector<float>(35)}), {shape + "35,"}, kOnlyHdf5);
   }
+  // Tables may be of either type, and of no third.
+  for (const std::string name : {"log_ndf", "log_backfacing", "marginal_rows", "marginal_map"})
+    check_refused(replace(name, {{9, 2}, std::vector<float>(18)}),
+                  {"'" + name + "' are not float64"});
   check_refused(replace("log_ndf", {{6, 3}, std::vector<double>(18)}), {"6 x 3", "rows x 2"});
 }
 

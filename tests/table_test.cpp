@@ -26,7 +26,7 @@ QuantileTable table_of(std::size_t rows, std::size_t columns,
 }
 
 /// Increasing rows with steps of very different sizes, some zero.
-QuantileTable rough_table(std::mt19937& random, Tangents tangents) {
+QuantileTable rough_table(std::mt19937& random) {
   constexpr std::size_t kRows = 4, kColumns = 12;
   std::vector<float> values;
   for (std::size_t i = 0; i < kRows; ++i) {
@@ -37,7 +37,7 @@ QuantileTable rough_table(std::mt19937& random, Tangents tangents) {
     }
     for (const float w : row) values.push_back(w / (row.back() + 1));
   }
-  return {kRows, kColumns, values, RowBlend::linear, tangents};
+  return {kRows, kColumns, values};
 }
 
 }  // namespace
@@ -74,93 +74,67 @@ TEST_CASE("the lookup is exact for cubics along a row and lines across rows") {
       CHECK(table.lookup(r, c) == Approx(f(r, c)).margin(1e-7));  // the values are single precision
 }
 
-TEST_CASE(
-    "the lookup converges with the fourth power of the column spacing, by three points third") {
-  const auto worst = [](std::size_t columns, Tangents tangents) {
+TEST_CASE("the lookup converges with the fourth power of the column spacing") {
+  const auto worst = [](std::size_t columns) {
     std::vector<double> values;
     for (int row = 0; row < 2; ++row)
       for (std::size_t j = 0; j < columns; ++j)
         values.push_back(std::sin(1.5 * static_cast<double>(j) / static_cast<double>(columns - 1)));
-    const auto table =
-        QuantileTable::with_double_values(2, columns, values, RowBlend::linear, tangents);
+    const auto table = QuantileTable::with_double_values(2, columns, values);
     double error = 0;
     for (double c = 0; c <= 1; c += 0.00137)
       error = std::max(error, std::abs(table.lookup(0.5, c) - std::sin(1.5 * c)));
     return error;
   };
-  // A doubling divides the error by 2^4 and by 2^3, and by a little less at a finite spacing.
-  CHECK(worst(33, Tangents::five_points) < worst(17, Tangents::five_points) / 14);
-  CHECK(worst(33, Tangents::three_points) < worst(17, Tangents::three_points) / 7);
+  // A doubling divides the error by 2^4, and by a little less at a finite spacing.
+  CHECK(worst(33) < worst(17) / 14);
 }
 
-TEST_CASE("tangents are the derivatives of quartics by five points, of parabolas by three") {
+TEST_CASE("tangents are the derivatives of quartics, to the ends of a row") {
   const auto quartic = [](double t) { return t * t * t * t / 16 + t / 2; };
-  const auto parabola = [](double t) { return t * t / 4 + t / 2; };
-  std::vector<double> fourth, second;
-  for (int j = 0; j < 9; ++j) {
-    fourth.push_back(quartic(j / 8.0));
-    second.push_back(parabola(j / 8.0));
-  }
-  const auto by_five = nodes_of_row(fourth.data(), fourth.size(), Tangents::five_points);
-  const auto by_three = nodes_of_row(second.data(), second.size(), Tangents::three_points);
-  for (int j = 0; j < 9; ++j) {
-    const double t = j / 8.0, per_node = 1 / 8.0;
-    const auto k = static_cast<std::size_t>(j);
-    CHECK(by_five[k].value == fourth[k]);
-    CHECK(by_five[k].tangent == Approx((t * t * t / 4 + 0.5) * per_node).epsilon(1e-13));
-    CHECK(by_three[k].tangent == Approx((t / 2 + 0.5) * per_node).epsilon(1e-13));
-  }
-}
-
-TEST_CASE("rows that go on evenly have no slope at their first value") {
-  // t^2 / 2 + t^4 / 3, of which five points on either side give the derivative at every node.
   std::vector<double> row;
+  for (int j = 0; j < 9; ++j) row.push_back(quartic(j / 8.0));
+  const auto nodes = nodes_of_row(row.data(), row.size());
+  for (std::size_t j = 0; j < 9; ++j) {
+    const double t = static_cast<double>(j) / 8, per_node = 1 / 8.0;
+    CHECK(nodes[j].value == row[j]);
+    CHECK(nodes[j].tangent == Approx((t * t * t / 4 + 0.5) * per_node).epsilon(1e-13));
+  }
+}
+
+TEST_CASE(
+    "a row that begins like t^2 has no slope at its first value, one that begins like t has") {
+  std::vector<double> flat, steep;
   for (int j = 0; j < 9; ++j) {
     const double t = j / 8.0;
-    row.push_back(t * t / 2 + t * t * t * t / 3);
+    flat.push_back(t * t / 2 - t * t * t * t / 3);
+    steep.push_back(t * (1 + t) / 2);
   }
-  const auto nodes = nodes_of_row(row.data(), row.size(), Tangents::five_points_even);
+  const auto nodes = nodes_of_row(flat.data(), flat.size());
   CHECK(nodes[0].tangent == 0);
-  for (int j = 1; j < 9; ++j) {
-    const double t = j / 8.0;
-    CHECK(nodes[static_cast<std::size_t>(j)].tangent ==
-          Approx((t + t * t * t * 4 / 3) / 8).epsilon(1e-13));
-  }
+  CHECK(nodes[1].tangent == Approx((1 / 8.0 - 4.0 / 3 / 512) / 8).epsilon(1e-12));
+  CHECK(nodes_of_row(steep.data(), steep.size())[0].tangent == Approx(1 / 16.0));
 }
 
-TEST_CASE("a row that begins with a jump does not go on evenly") {
+TEST_CASE("after a jump, where the quartic turns back, no tangent is 0") {
   const std::vector<double> row{0, 0.5, 0.52, 0.56, 0.62, 0.7};
-  const auto even = nodes_of_row(row.data(), row.size(), Tangents::five_points_even);
-  const auto plain = nodes_of_row(row.data(), row.size(), Tangents::five_points);
-  for (std::size_t j = 0; j < row.size(); ++j) CHECK(even[j].tangent == plain[j].tangent);
-  // The quartic turns back after the jump; no tangent is 0 where values increase.
-  for (const auto& node : even) CHECK(node.tangent > 0);
-}
-
-TEST_CASE("a row of fewer than five values takes tangents by three points") {
-  const std::vector<double> row{0, 0.1, 0.3, 0.6};
-  const auto five = nodes_of_row(row.data(), row.size(), Tangents::five_points);
-  const auto three = nodes_of_row(row.data(), row.size(), Tangents::three_points);
-  for (std::size_t j = 0; j < row.size(); ++j) CHECK(five[j].tangent == three[j].tangent);
+  for (const auto& node : nodes_of_row(row.data(), row.size())) CHECK(node.tangent > 0);
 }
 
 TEST_CASE("tangents are at most three times the difference to either neighbour, and not negative") {
   const std::vector<double> row{0, 0, 0.5, 0.5, 0.51, 0.9, 1};
-  for (const Tangents rule : {Tangents::three_points, Tangents::five_points}) {
-    const auto nodes = nodes_of_row(row.data(), row.size(), rule);
-    for (std::size_t j = 0; j < row.size(); ++j) {
-      CHECK(nodes[j].tangent >= 0);
-      if (j > 0) CHECK(nodes[j].tangent <= 3 * (row[j] - row[j - 1]));
-      if (j + 1 < row.size()) CHECK(nodes[j].tangent <= 3 * (row[j + 1] - row[j]));
-    }
+  const auto nodes = nodes_of_row(row.data(), row.size());
+  for (std::size_t j = 0; j < row.size(); ++j) {
+    CHECK(nodes[j].tangent >= 0);
+    if (j > 0) CHECK(nodes[j].tangent <= 3 * (row[j] - row[j - 1]));
+    if (j + 1 < row.size()) CHECK(nodes[j].tangent <= 3 * (row[j + 1] - row[j]));
   }
 }
 
 TEST_CASE("the lookup increases along every row, between rows too, however rough the values") {
   std::mt19937 random(7);
   for (int trial = 0; trial < 400; ++trial) {
-    const auto table =
-        rough_table(random, trial % 2 == 0 ? Tangents::five_points : Tangents::three_points);
+    const auto table = rough_table(random);
     for (const double row : {0.0, 0.1, 0.5, 0.8, 1.0}) {
       double last = 0;
       for (int k = 0; k <= 500; ++k) {
@@ -175,7 +149,7 @@ TEST_CASE("the lookup increases along every row, between rows too, however rough
 
 TEST_CASE("the lookup is continuous across rows and columns") {
   std::mt19937 random(11);
-  const auto table = rough_table(random, Tangents::five_points);
+  const auto table = rough_table(random);
   constexpr double kStep = 1e-9, kSteepest = 40;
   for (int i = 1; i < 60; ++i)
     for (int j = 1; j < 110; ++j) {
@@ -187,41 +161,24 @@ TEST_CASE("the lookup is continuous across rows and columns") {
 }
 
 TEST_CASE("a table of impossible size is refused") {
-  const auto refused = [](std::size_t rows, std::size_t columns, std::size_t values,
-                          RowBlend blend = RowBlend::linear) {
+  const auto refused = [](std::size_t rows, std::size_t columns, std::size_t values) {
     CAPTURE(rows, columns, values);
-    CHECK_THROWS_AS(QuantileTable(rows, columns, std::vector<float>(values), blend),
+    CHECK_THROWS_AS(QuantileTable(rows, columns, std::vector<float>(values)),
                     std::invalid_argument);
   };
-  refused(0, 3, 0);
-  refused(2, 2, 4);
-  refused(2, 3, 3);
-  refused(2, 3, 7);
-  refused(3, 3, 9, RowBlend::cubic);
+  refused(0, 5, 0);
+  refused(1, 5, 5);
+  refused(2, 4, 8);
+  refused(2, 5, 5);
+  refused(2, 5, 11);
 }
 
-TEST_CASE("a cubic blend is exact for cubics from row to row, up to the outermost rows") {
-  std::vector<double> values;
-  const auto height = [](double r) { return 0.2 + 0.3 * r - 0.4 * r * r + 0.5 * r * r * r; };
-  for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 5; ++j) values.push_back(height(i / 5.0) * j / 4.0);
-  const auto table = QuantileTable::with_double_values(6, 5, values, RowBlend::cubic);
+TEST_CASE("a table keeps values in the precision that they are given in") {
+  const std::vector<double> values{0, 0.1, 1.0 / 3, 0.9, 1, 0, 0.1, 2.0 / 3, 0.9, 1};
+  const auto table = QuantileTable::with_double_values(2, 5, values);
   CHECK(table.in_double());
-  for (double r = 0; r <= 1; r += 0.01)
-    for (const double t : {0.0, 0.3, 0.5, 1.0})
-      CHECK(table.lookup(r, t) == Approx(height(r) * t).margin(1e-15));
-}
-
-TEST_CASE("a table in double precision serves both precisions") {
-  const std::vector<double> values{0, 1.0 / 3, 1, 0, 2.0 / 3, 1};
-  const auto table = QuantileTable::with_double_values(2, 3, values);
-  CHECK(table.row<double>(0)[1].value == 1.0 / 3);
-  CHECK(table.row(0)[1].value == 1.0f / 3);
-  CHECK(table.lookup(0.0, 0.5) == 1.0 / 3);
-  CHECK(table.lookup(0.0f, 0.5f) == 1.0f / 3);
-}
-
-TEST_CASE("a table of one row does not depend on the row") {
-  const QuantileTable table(1, 3, std::vector<float>{0, 0.25f, 1});
-  for (const double row : {0.0, 0.4, 1.0}) CHECK(table.lookup(row, 0.5) == 0.25);
+  CHECK(table.lookup(0, 0.5) == 1.0 / 3);
+  const QuantileTable single(2, 5, std::vector<float>(values.begin(), values.end()));
+  CHECK_FALSE(single.in_double());
+  CHECK(single.lookup(0, 0.5) == double{1.0f / 3});
 }

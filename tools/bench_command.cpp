@@ -27,7 +27,6 @@ struct BenchArguments {
 /// What --quick leaves: enough to see that everything runs, too little to trust a figure.
 void make_quick(bench::FieldOptions& field, bench::SpeedOptions& speed) {
   field.sides = {16, 64};
-  field.tolerances = {1e-4};
   speed.collect.seconds = 1e-3;
   speed.samples = std::size_t{1} << 16;
 }

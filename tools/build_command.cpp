@@ -7,18 +7,17 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <optional>
-#include <stdexcept>
 #include <string>
 
 #include "arguments.h"
+#include "bake_options.h"
 #include "commands.h"
 #include "distribution_source.h"
-#include "io/table_file.h"
 #include "output_file.h"
+#include "precompute/bake_certified.h"
 #include "precompute/build_tables.h"
-#include "precompute/smallest_tables.h"
 #include "report.h"
+#include "table_files.h"
 
 namespace vndf::tools {
 namespace {
@@ -29,9 +28,8 @@ struct Size {
 
 struct BuildArguments {
   SourceArguments source;
-  std::string output, size = "1024", rows = "linear", precision = "single";
-  std::optional<double> tolerance;
-  std::optional<std::size_t> max_bytes;
+  BakeArguments baking;
+  std::string output, size = "1024", precision = "single";
   unsigned threads = 0;
   bool json = false, quiet = false, list = false;
 };
@@ -76,106 +74,94 @@ std::function<void(double)> progress_bar(const BuildArguments& arguments) {
   };
 }
 
-/// The options that give the layout again.
-std::string layout_options(const BuildArguments& arguments, const Size& size) {
-  if (arguments.max_bytes)
-    return fmt::format("--tolerance {} --max-bytes {}", *arguments.tolerance, *arguments.max_bytes);
-  return fmt::format("--size {}x{}", size.rows, size.columns) +
-         (arguments.rows == "cubic" ? " --rows cubic" : "") +
-         (arguments.precision == "double" ? " --precision double" : "");
-}
-
 std::string recipe(const BuildArguments& arguments, const std::string& source, const Size& size) {
-  return fmt::format("vndf build {} {} -o {}", source, layout_options(arguments, size),
+  const bool baked = names_baked_tables(arguments.output);
+  return fmt::format("vndf build {} --size {}x{}{}{} -o {}", source, size.rows, size.columns,
+                     arguments.precision == "double" ? " --precision double" : "",
+                     baked ? recipe_options(options_of(arguments.baking)) : "",
                      std::filesystem::path(arguments.output).filename().string());
 }
 
-precompute::BuiltTables built_from(const BuildArguments& arguments, const Size& size,
-                                   const precompute::SlopeDistribution& distribution) {
-  if (arguments.max_bytes)
-    return precompute::smallest_tables(
-        distribution, {*arguments.tolerance, *arguments.max_bytes, arguments.threads});
-  const auto blend = arguments.rows == "cubic" ? RowBlend::cubic : RowBlend::linear;
-  return precompute::build_tables(
-      distribution, {.layout = {size.rows, size.columns, blend, arguments.precision == "double"},
-                     .threads = arguments.threads,
-                     .progress = progress_bar(arguments)});
-}
-
-/// Tables are not written when they err by more than was asked for.
-void require_tolerance(const Certificate& certificate, double tolerance) {
-  const auto require = [&](const TableErrors& e, const char* table, const char* row) {
-    if (e.max_u_error <= tolerance) return;
-    throw std::runtime_error(fmt::format(
-        "the {} table errs by up to {:.2e} in u (at {} {:.4g}, u {:.6g}), {:.1f} times the "
-        "tolerance {:g}; ask for a larger --size or a larger --tolerance",
-        table, e.max_u_error, row, e.worst_row, e.worst_u, e.max_u_error / tolerance, tolerance));
-  };
-  require(certificate.marginal, "marginal", "theta");
-  require(certificate.conditional, "conditional", "slope");
-}
-
-/// Tables that nobody set a bound for are written whatever they err by, but not in silence.
+/// Tables are written whatever they err by, but not in silence.
 void warn_of_errors(const Certificate& certificate) {
   constexpr double kLarge = 1e-3;
   const auto warn = [](const TableErrors& e, const char* table, const char* row) {
     if (e.max_u_error <= kLarge) return;
     std::cerr << fmt::format(
         "vndf: warning: the {} table errs by up to {:.2e} in u (at {} {:.4g}, u {:.6g}); a larger "
-        "--size may help, and --tolerance E writes no tables that err by more than E\n",
+        "--size may help\n",
         table, e.max_u_error, row, e.worst_row, e.worst_u);
   };
   warn(certificate.marginal, "marginal", "theta");
   warn(certificate.conditional, "conditional", "slope");
 }
 
-/// A search chooses the layout itself, by a tolerance.
-void require_layout(const BuildArguments& arguments, std::size_t layout_options_given) {
-  if (!arguments.max_bytes) return;
-  if (!arguments.tolerance)
-    throw CLI::ValidationError("--max-bytes", "needs the --tolerance that the tables are to keep");
-  if (layout_options_given > 0)
-    throw CLI::ValidationError("--max-bytes",
-                               "chooses the layout: leave out --size, --rows and "
-                               "--precision");
+/// What is written: the pair, or the tables baked from it.
+AnyTables tables_of(const BuildArguments& arguments, const DistributionSource& source,
+                    const Size& size, const precompute::BuiltTables& built) {
+  const std::string made = recipe(arguments, source.options, size);
+  if (!names_baked_tables(arguments.output))
+    return io::TableFile{built.tables,
+                         {.recipe = made,
+                          .program = kProgram,
+                          .input_checksum = source.input_checksum,
+                          .notes = source.notes},
+                         built.certificate};
+  const precompute::Workers workers{arguments.threads};
+  return precompute::bake_certified(precompute::UnitSlopes(*source.distribution, workers),
+                                    *built.tables, options_of(arguments.baking),
+                                    {.distribution = built.tables->distribution,
+                                     .recipe = made,
+                                     .program = kProgram,
+                                     .input_checksum = source.input_checksum,
+                                     .notes = source.notes},
+                                    workers);
+}
+
+void save_as(const std::string& output, const io::TableFile& pair) {
+  io::save(output, pair);
+}
+void save_as(const std::string& output, const KernelTables& tables) {
+  save_tables(output, tables);
+}
+const Certificate& certificate_of(const io::TableFile& pair) {
+  return pair.certificate;
+}
+Certificate certificate_of(const KernelTables& tables) {
+  return tables.certificate();
 }
 
 void build(const BuildArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   // What cannot be written is refused before any work.
-  io::format_for(arguments.output);
+  if (!names_baked_tables(arguments.output)) io::format_for(arguments.output);
+  require_baked_output(arguments.baking, arguments.output);
   require_output(arguments.output, {arguments.source.profile, arguments.source.map});
   const auto source = make_distribution(arguments.source);
   Size size{};
   parse_size(arguments.size, size);
-  const auto built = built_from(arguments, size, *source.distribution);
-  if (arguments.tolerance)
-    require_tolerance(built.certificate, *arguments.tolerance);
-  else if (!arguments.quiet)
-    warn_of_errors(built.certificate);
-  const io::TableFile file{built.tables,
-                           {.recipe = recipe(arguments, source.options, size),
-                            .program = kProgram,
-                            .input_checksum = source.input_checksum,
-                            .notes = source.notes},
-                           built.certificate};
-  io::save(arguments.output, file);
-
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  const auto bytes = std::filesystem::file_size(arguments.output);
-  if (arguments.json) {
-    auto report = to_json(file);
-    report["output"] = arguments.output;
-    report["seconds"] = seconds.count();
-    report["bytes"] = bytes;
-    report["mass"] = built.mass;
-    report["quadrature_error"] = built.quadrature_error;
-    std::cout << report.dump(2) << '\n';
-  } else if (!arguments.quiet) {
-    std::cout << describe(file)
-              << fmt::format("\nwrote {} ({:.1f} MiB) in {:.2f} s\n", arguments.output,
-                             static_cast<double>(bytes) / (1 << 20), seconds.count());
-  }
+  const auto built = precompute::build_tables(
+      *source.distribution, {.layout = {size.rows, size.columns, arguments.precision == "double"},
+                             .threads = arguments.threads,
+                             .progress = progress_bar(arguments)});
+  const auto finish = [&](const auto& tables) {
+    if (!arguments.quiet) warn_of_errors(certificate_of(tables));
+    save_as(arguments.output, tables);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    const auto bytes = std::filesystem::file_size(arguments.output);
+    if (arguments.json) {
+      auto report = to_json(tables);
+      report["output"] = arguments.output;
+      report["seconds"] = seconds.count();
+      report["bytes"] = bytes;
+      report["mass"] = built.mass;
+      report["quadrature_error"] = built.quadrature_error;
+      std::cout << report.dump(2) << '\n';
+    } else if (!arguments.quiet) {
+      std::cout << describe(tables) << written(arguments.output, bytes, seconds.count());
+    }
+  };
+  std::visit(finish, tables_of(arguments, source, size, built));
 }
 
 }  // namespace
@@ -184,38 +170,27 @@ void add_build(CLI::App& app) {
   auto* command = app.add_subcommand("build", "Build the tables of a slope distribution");
   const auto arguments = std::make_shared<BuildArguments>();
   add_source_options(*command, arguments->source);
-  command->add_option("-o,--output", arguments->output,
-                      "File to write: .h5 (HDF5) or .exr (OpenEXR)");
+  command->add_option(
+      "-o,--output", arguments->output,
+      "File to write: .h5 (HDF5) or .exr (OpenEXR), or .vndf (baked, for renderers)");
   command->add_option("--size", arguments->size, "Nodes per axis, N or NTHETAxNU, of both tables")
       ->capture_default_str()
       ->check(CLI::Validator(size_rule, "N|NTHETAxNU"));
-  command->add_option("--rows", arguments->rows, "Interpolation between rows")
-      ->check(CLI::IsMember({"linear", "cubic"}))
-      ->capture_default_str();
   command->add_option("--precision", arguments->precision, "Precision of the stored values")
       ->check(CLI::IsMember({"single", "double"}))
       ->capture_default_str();
-  command
-      ->add_option("--max-bytes", arguments->max_bytes,
-                   "Find the smallest tables that keep --tolerance, of at most so many bytes")
-      ->check(whole_number(1));
-  command
-      ->add_option("--tolerance", arguments->tolerance,
-                   "Largest u-error to accept; tables that exceed it are not written")
-      ->check(positive_number());
+  add_bake_options(*command, arguments->baking);
   add_threads(*command, arguments->threads);
   auto* json = command->add_flag("--json", arguments->json, "Print the report as one JSON object");
   command->add_flag("--quiet", arguments->quiet, "Print nothing, draw no progress bar")
       ->excludes(json);
   command->add_flag("--list", arguments->list, "List the named distributions and stop");
-  command->callback([arguments, command] {
+  command->callback([arguments] {
     if (arguments->list) {
       std::cout << list_of_families();
       return;
     }
     if (arguments->output.empty()) throw CLI::RequiredError("--output");
-    require_layout(*arguments, command->count("--size") + command->count("--rows") +
-                                   command->count("--precision"));
     build(*arguments);
   });
 }

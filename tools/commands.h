@@ -10,6 +10,7 @@ namespace vndf::tools {
 inline constexpr const char* kProgram = "vndf " VNDF_VERSION;
 
 void add_build(CLI::App& app);
+void add_bake(CLI::App& app);
 void add_info(CLI::App& app);
 void add_sample(CLI::App& app);
 void add_convert(CLI::App& app);

@@ -265,7 +265,7 @@ DistributionSource distribution_of_recipe(const std::string& recipe) {
   SourceArguments arguments;
   add_source_options(app, arguments);
   std::string ignored;  // what a recipe says of the tables
-  for (const char* option : {"--size", "--rows", "--precision", "--tolerance", "--max-bytes", "-o"})
+  for (const char* option : {"--size", "--precision", "--tolerance", "--max-bytes", "-o"})
     app.add_option(option, ignored);
   app.parse(words);
   return make_distribution(arguments);

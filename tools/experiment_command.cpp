@@ -11,9 +11,9 @@
 
 #include "arguments.h"
 #include "commands.h"
-#include "io/table_file.h"
 #include "precompute/build_tables.h"
 #include "precompute/distribution_spec.h"
+#include "table_files.h"
 #include "validate/named_estimators.h"
 
 namespace vndf::tools {
@@ -32,7 +32,7 @@ struct VarianceArguments {
 };
 
 std::shared_ptr<const SlopeTables> tables_of(const VarianceArguments& a) {
-  if (!a.tables.empty()) return io::load(a.tables).tables;
+  if (!a.tables.empty()) return load_pair(a.tables).tables;
   const auto distribution = precompute::parse_distribution(a.distribution);
   return precompute::build_tables(*distribution, {.threads = a.threads}).tables;
 }

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "commands.h"
-#include "io/table_file.h"
 #include "report.h"
+#include "table_files.h"
 
 namespace vndf::tools {
 
@@ -19,11 +19,13 @@ void add_info(CLI::App& app) {
   command->add_option("file", arguments->file, "Table file")->required();
   command->add_flag("--json", arguments->json, "Print one JSON object");
   command->callback([arguments] {
-    const io::TableFile file = io::load(arguments->file);
-    if (arguments->json)
-      std::cout << to_json(file).dump(2) << '\n';
-    else
-      std::cout << describe(file);
+    const auto print = [&](const auto& tables) {
+      if (arguments->json)
+        std::cout << to_json(tables).dump(2) << '\n';
+      else
+        std::cout << describe(tables);
+    };
+    std::visit(print, load_tables(arguments->file));
   });
 }
 

@@ -58,26 +58,34 @@ nlohmann::ordered_json to_json(const Finding& f) {
 
 }  // namespace
 
-std::unique_ptr<precompute::SlopeDistribution> distribution_of(const io::TableFile& file) {
+std::unique_ptr<precompute::SlopeDistribution> distribution_of(const std::string& recipe,
+                                                               const std::string& input_checksum) {
   const auto source = [&] {
     try {
-      return distribution_of_recipe(file.provenance.recipe);
+      return distribution_of_recipe(recipe);
     } catch (const std::exception& e) {
-      throw std::runtime_error("the distribution of the tables, made by '" +
-                               file.provenance.recipe + "', cannot be had again: " + e.what());
+      throw std::runtime_error("the distribution of the tables, made by '" + recipe +
+                               "', cannot be had again: " + e.what());
     }
   };
   auto again = source();
-  if (again.input_checksum != file.provenance.input_checksum)
-    throw std::runtime_error("the file that '" + file.provenance.recipe +
+  if (again.input_checksum != input_checksum)
+    throw std::runtime_error("the file that '" + recipe +
                              "' reads has changed since the tables were made from it");
   return std::move(again.distribution);
+}
+
+std::unique_ptr<precompute::SlopeDistribution> distribution_of(const AnyTables& tables) {
+  if (const auto* pair = std::get_if<io::TableFile>(&tables))
+    return distribution_of(pair->provenance.recipe, pair->provenance.input_checksum);
+  const KernelText text = std::get<KernelTables>(tables).text();
+  return distribution_of(text.recipe, text.input_checksum);
 }
 
 bool names_a_file(const std::string& argument) {
   const auto extension = std::filesystem::path(argument).extension();
   return extension == ".h5" || extension == ".hdf5" || extension == ".exr" ||
-         std::filesystem::is_regular_file(argument);
+         names_baked_tables(argument) || std::filesystem::is_regular_file(argument);
 }
 
 std::string remark(const Finding& f) {

@@ -6,14 +6,17 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "io/table_file.h"
+#include "table_files.h"
 #include "validate/judge.h"
 
 namespace vndf::tools {
 
-/// The distribution that a table file was made from, by its recipe. Throws std::runtime_error where
-/// it cannot be had again.
-std::unique_ptr<precompute::SlopeDistribution> distribution_of(const io::TableFile& file);
+/// The distribution that tables were made from, by their recipe, which read a file of
+/// `input_checksum` or none. Throws std::runtime_error where it cannot be had again.
+std::unique_ptr<precompute::SlopeDistribution> distribution_of(const std::string& recipe,
+                                                               const std::string& input_checksum);
+/// The same of a file of either kind.
+std::unique_ptr<precompute::SlopeDistribution> distribution_of(const AnyTables& tables);
 
 /// True if `argument` is the path of a file or looks like one.
 bool names_a_file(const std::string& argument);

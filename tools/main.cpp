@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   app.fallthrough(false);
   vndf::tools::add_build(app);
+  vndf::tools::add_bake(app);
   vndf::tools::add_info(app);
   vndf::tools::add_sample(app);
   vndf::tools::add_convert(app);

@@ -9,8 +9,8 @@
 
 #include "commands.h"
 #include "gnuplot.h"
-#include "io/table_file.h"
 #include "output_file.h"
+#include "table_files.h"
 #include "vndf/table_coordinates.h"
 
 namespace vndf::tools {
@@ -34,7 +34,7 @@ std::string ticks(const std::vector<Tick>& list) {
 }
 
 std::vector<Tick> theta_ticks(const SlopeTables& t) {
-  const RowAxis<double> rows(t.marginal_rows);
+  const RowAxis rows(t.marginal_rows);
   std::vector<Tick> list;
   for (const double degrees : {0.0, 1.0, 5.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0}) {
     const double theta = degrees * std::numbers::pi / 180;
@@ -45,13 +45,12 @@ std::vector<Tick> theta_ticks(const SlopeTables& t) {
 }
 
 std::vector<Tick> slope_ticks(const SlopeTables& t) {
-  const RowAxis<double> rows(t.conditional_rows);
+  const RowAxis rows(t.conditional_rows);
   std::vector<Tick> list;
   for (const double x : {0.0, 0.1, 0.5, 1.0, 2.0, 5.0})
     if (x < t.mean_slope * t.support)
       list.push_back(
-          {fmt::format("{}", x),
-           rows.row(conditional_base(bounded_from_slope(x / t.mean_slope), t.conditional_unit))});
+          {fmt::format("{}", x), rows.row(conditional_base(bounded_from_slope(x / t.mean_slope)))});
   if (t.conditional_rows.empty()) list.push_back({"∞", 1.0});
   return list;
 }
@@ -120,7 +119,7 @@ void add_picture(CLI::App& app) {
   command->callback([arguments] {
     const std::string terminal = terminal_for(arguments->output);
     require_output(arguments->output);
-    const io::TableFile file = io::load(arguments->file);
+    const io::TableFile file = load_pair(arguments->file);
     draw(arguments->output,
          [&](const std::string& name) { return script(*file.tables, name, terminal); });
   });

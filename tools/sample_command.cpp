@@ -10,12 +10,13 @@
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "arguments.h"
 #include "commands.h"
-#include "io/table_file.h"
 #include "output_file.h"
+#include "table_files.h"
 #include "vndf/tabulated_sampler.h"
 
 namespace vndf::tools {
@@ -47,10 +48,10 @@ std::string broken_rule(const Inputs& v) {
   return {};
 }
 
-template <class T>
+template <class T, class Sampler>
 class Printer {
  public:
-  explicit Printer(const io::TableFile& file) : sampler_(file.tables) {}
+  explicit Printer(const Sampler& sampler) : sampler_(sampler) {}
 
   /// Appends "slope_x slope_y mx my mz pdf" with `separator` between.
   void append(fmt::memory_buffer& out, const Inputs& in, char separator) const {
@@ -70,7 +71,7 @@ class Printer {
   static constexpr int kDigits = std::numeric_limits<T>::max_digits10;
 
  private:
-  TabulatedSampler<T> sampler_;
+  const Sampler& sampler_;
 };
 
 void flush(fmt::memory_buffer& out, std::size_t limit) {
@@ -105,9 +106,9 @@ Inputs parse_line(const std::string& line, std::size_t number) {
 
 constexpr std::size_t kChunk = 1 << 16;
 
-template <class T>
-void sample_lines(const io::TableFile& file) {
-  const Printer<T> printer(file);
+template <class T, class Sampler>
+void sample_lines(const Sampler& sampler) {
+  const Printer<T, Sampler> printer(sampler);
   fmt::memory_buffer out;
   std::string line;
   for (std::size_t number = 1; std::getline(std::cin, line); ++number) {
@@ -134,9 +135,9 @@ Inputs from_options(const SampleArguments& a) {
   return inputs;
 }
 
-template <class T>
-void sample_random(const io::TableFile& file, const SampleArguments& arguments) {
-  const Printer<T> printer(file);
+template <class T, class Sampler>
+void sample_random(const Sampler& sampler, const SampleArguments& arguments) {
+  const Printer<T, Sampler> printer(sampler);
   // Whole multiples of 2^-24 or 2^-53 below 1, which T holds exactly.
   constexpr int kBits = std::numeric_limits<T>::digits;
   std::mt19937_64 random(arguments.seed);
@@ -150,23 +151,35 @@ void sample_random(const io::TableFile& file, const SampleArguments& arguments) 
   for (std::size_t i = 0; i < arguments.count; ++i) {
     inputs[5] = next();
     inputs[6] = next();
-    fmt::format_to(std::back_inserter(out), "{:.{}g},{:.{}g},", inputs[5], Printer<T>::kDigits,
-                   inputs[6], Printer<T>::kDigits);
+    fmt::format_to(std::back_inserter(out), "{:.{}g},{:.{}g},", inputs[5], printer.kDigits,
+                   inputs[6], printer.kDigits);
     printer.append(out, inputs, ',');
     flush(out, kChunk);
   }
   flush(out, 1);
 }
 
+template <class T, class Sampler>
+void sample_from(const Sampler& sampler, const SampleArguments& arguments) {
+  if (arguments.from_stdin)
+    sample_lines<T>(sampler);
+  else
+    sample_random<T>(sampler, arguments);
+}
+
 template <class T>
 void sample(const SampleArguments& arguments) {
   if (!arguments.from_stdin)
     from_options<T>(arguments);  // wrong usage is told before the file is read
-  const io::TableFile file = io::load(arguments.file);
-  if (arguments.from_stdin)
-    sample_lines<T>(file);
+  const AnyTables tables = load_tables(arguments.file);
+  if (const auto* pair = std::get_if<io::TableFile>(&tables))
+    return sample_from<T>(TabulatedSampler<T>(pair->tables), arguments);
+  if constexpr (std::is_same_v<T, double>)
+    throw std::runtime_error(arguments.file +
+                             ": baked tables are sampled in single precision only; leave out "
+                             "--double, or give the pair, a .h5 or .exr file");
   else
-    sample_random<T>(file, arguments);
+    sample_from<T>(std::get<KernelTables>(tables).kernel(), arguments);
 }
 
 }  // namespace

@@ -45,9 +45,11 @@ class Laws {
 
 Subject subject_of(const std::string& argument, Laws& laws) {
   if (names_a_file(argument)) {
-    const io::TableFile file = io::load(argument);
-    return validate::tabulated_subject(argument, std::make_shared<SlopeLaw>(distribution_of(file)),
-                                       file.tables, file.certificate);
+    const AnyTables tables = load_tables(argument);
+    const auto law = std::make_shared<SlopeLaw>(distribution_of(tables));
+    if (const auto* pair = std::get_if<io::TableFile>(&tables))
+      return validate::tabulated_subject(argument, law, pair->tables, pair->certificate);
+    return validate::kernel_subject(argument, law, std::get<KernelTables>(tables));
   }
   const auto& named = validate::find_subject(argument);
   return named.make(named.name, laws.of(named));

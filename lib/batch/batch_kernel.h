@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "batch/blocks.h"
-#include "batch/sample_batch.h"
+#include "vndf/kernel.h"
 
 namespace vndf::batch {
 
@@ -48,8 +48,8 @@ struct DirectionBlock {
 };
 
 /// Step 1 of samples begin to end - 1 of a block by the scalar kernel, which knows what is to be
-/// done next to the pole and with inputs outside their range. No vectors are asked for here: it is
-/// compiled once, for any processor.
+/// done next to the pole and with inputs outside their range. It is compiled once, for any
+/// processor.
 void stretch_each(const kernel::VndfTables& tables, const DirectionBlock& inputs, std::size_t begin,
                   std::size_t end, Directions& directions);
 

@@ -92,72 +92,94 @@ struct CubicVector {
   }
 };
 
+/// Four numbers of each sample.
+struct FourVectors {
+  V v0, v1, v2, v3;
+};
+
 #if HWY_TARGET == HWY_SCALAR
 
-HWY_INLINE CubicVector cubics(kernel::Block block, const std::uint32_t* offsets) {
+HWY_INLINE FourVectors fetch_fours(kernel::Block block, const std::uint32_t* offsets) {
   const auto* c = reinterpret_cast<const float*>(block.bytes + *offsets);
-  return {set(c[0]), set(c[2]), set(c[1]), set(c[3])};
+  return {set(c[0]), set(c[1]), set(c[2]), set(c[3])};
 }
-HWY_INLINE CubicVector blended_cubics(kernel::Block block, const std::uint32_t* offsets, V g) {
+
+HWY_INLINE FourVectors blended_fours(kernel::Block block, const std::uint32_t* offsets, V g) {
   const auto* c = reinterpret_cast<const float*>(block.bytes + *offsets);
   const auto blended = [&](int k) {
     return CubicVector{set(c[k]), set(c[4 + k]), set(c[8 + k]), set(c[12 + k])}.at(g);
   };
-  return {blended(0), blended(2), blended(1), blended(3)};
+  return {blended(0), blended(1), blended(2), blended(3)};
 }
 
 #else
 
-/// The four numbers at each of offsets[0], offsets[4], ...: one for each block of four lanes.
-/// Each is loaded into all blocks and kept in its own and those above, for which processors need no
+/// The four numbers at each of offsets[0], offsets[4], ...: one for each block of four lanes. They
+/// are loaded into all blocks and kept in their own and those above, for which processors need no
 /// exchange of blocks.
-HWY_INLINE V fetch_fours(const unsigned char* bytes, const std::uint32_t* offsets) {
-  const auto fetched = [=](std::size_t lane) HWY_ATTR {
+HWY_INLINE V load_fours(const unsigned char* bytes, const std::uint32_t* offsets) {
+  const auto loaded = [=](std::size_t lane) HWY_ATTR {
     return hn::LoadDup128(d, reinterpret_cast<const float*>(bytes + offsets[lane]));
   };
-  V fours = fetched(0);
+  V fours = loaded(0);
   for (std::size_t lane = 4; lane < hn::MaxLanes(d); lane += 4) {
     const auto above = hn::Ge(hn::Iota(d, 0.0f), set(static_cast<float>(lane)));
-    fours = hn::IfThenElse(above, fetched(lane), fours);
+    fours = hn::IfThenElse(above, loaded(lane), fours);
   }
   return fours;
 }
 
 /// kernel::vndf_blend of samples k, k + 4, ...
 template <int k>
-HWY_INLINE V blended_fours(kernel::Block block, const std::uint32_t* offsets, V places) {
+HWY_INLINE V blended_every_fourth(kernel::Block block, const std::uint32_t* offsets, V places) {
   const V g = hn::Broadcast<k>(places);
-  const auto fetched = [&](std::size_t cubic)
-                           HWY_ATTR { return fetch_fours(block.bytes + 16 * cubic, offsets + k); };
-  return CubicVector{fetched(0), fetched(1), fetched(2), fetched(3)}.at(g);
+  const auto loaded = [&](std::size_t cubic)
+                          HWY_ATTR { return load_fours(block.bytes + 16 * cubic, offsets + k); };
+  return CubicVector{loaded(0), loaded(1), loaded(2), loaded(3)}.at(g);
 }
 
-/// The transposition of every block of four lanes; the coefficients lie as (c0, c2, c1, c3).
-HWY_INLINE CubicVector transposed(V a, V b, V c, V e) {
+/// The transposition of every block of four lanes.
+HWY_INLINE FourVectors transposed(V a, V b, V c, V e) {
   const hn::Repartition<std::uint64_t, Floats> pairs;
   const auto ab_low = hn::BitCast(pairs, hn::InterleaveLower(d, a, b));
   const auto ab_high = hn::BitCast(pairs, hn::InterleaveUpper(d, a, b));
   const auto ce_low = hn::BitCast(pairs, hn::InterleaveLower(d, c, e));
   const auto ce_high = hn::BitCast(pairs, hn::InterleaveUpper(d, c, e));
   return {hn::BitCast(d, hn::InterleaveLower(pairs, ab_low, ce_low)),
-          hn::BitCast(d, hn::InterleaveLower(pairs, ab_high, ce_high)),
           hn::BitCast(d, hn::InterleaveUpper(pairs, ab_low, ce_low)),
+          hn::BitCast(d, hn::InterleaveLower(pairs, ab_high, ce_high)),
           hn::BitCast(d, hn::InterleaveUpper(pairs, ab_high, ce_high))};
+}
+
+/// The four numbers at each of `offsets`.
+HWY_INLINE FourVectors fetch_fours(kernel::Block block, const std::uint32_t* offsets) {
+  return transposed(load_fours(block.bytes, offsets), load_fours(block.bytes, offsets + 1),
+                    load_fours(block.bytes, offsets + 2), load_fours(block.bytes, offsets + 3));
+}
+
+/// The cubics of patches as they lie in memory.
+HWY_INLINE FourVectors blended_fours(kernel::Block block, const std::uint32_t* offsets, V g) {
+  return transposed(
+      blended_every_fourth<0>(block, offsets, g), blended_every_fourth<1>(block, offsets, g),
+      blended_every_fourth<2>(block, offsets, g), blended_every_fourth<3>(block, offsets, g));
+}
+
+#endif
+
+/// The coefficients in the order of the numbers in memory.
+HWY_INLINE CubicVector cubic_of(const FourVectors& fours) {
+  return {fours.v0, fours.v2, fours.v1, fours.v3};
 }
 
 /// The cubics at `offsets`.
 HWY_INLINE CubicVector cubics(kernel::Block block, const std::uint32_t* offsets) {
-  return transposed(fetch_fours(block.bytes, offsets), fetch_fours(block.bytes, offsets + 1),
-                    fetch_fours(block.bytes, offsets + 2), fetch_fours(block.bytes, offsets + 3));
+  return cubic_of(fetch_fours(block, offsets));
 }
 
 /// The cubics of the patches at `offsets`, at the places `g` in their rows.
 HWY_INLINE CubicVector blended_cubics(kernel::Block block, const std::uint32_t* offsets, V g) {
-  return transposed(blended_fours<0>(block, offsets, g), blended_fours<1>(block, offsets, g),
-                    blended_fours<2>(block, offsets, g), blended_fours<3>(block, offsets, g));
+  return cubic_of(blended_fours(block, offsets, g));
 }
-
-#endif
 
 }  // namespace
 }  // namespace vndf::batch::HWY_NAMESPACE

@@ -35,9 +35,15 @@ class Sampling {
     const std::size_t n = block_size(begin, samples_.size);
     // 2. sample the slope of the stretched configuration
     place_columns(directions, samples_.u1.block(begin), samples_.u2.block(begin), n);
-    draw_slope_x(directions, n);
-    if (t_.separable == 0) place_slope_rows(n);
-    draw_slope_y(n);
+    if (t_.separable != 0) {
+      draw_root(directions, n);
+      draw_separable_y(n);
+    } else {
+      place_slopes(directions, n);
+      fetch_slope_cells(n);
+      draw_mapped_root(n);
+      draw_slope_y(n);
+    }
     // 3. rotate, 4. unstretch, 5. compute the normal
     write_normals(directions, begin, n);
   }
@@ -54,8 +60,7 @@ class Sampling {
     const V whole = set(12582912.0f);
     u = hn::Min(hn::Max(u, set(kernel::kVndfLeastU)), set(kernel::kVndfMostU));
     V q = hn::Sub(u, hn::Sub(hn::Add(u, whole), whole));
-    const W upper =
-        hn::BitCast(dw, hn::BroadcastSignBit(hn::BitCast(hn::RebindToSigned<Words>(), q)));
+    const W upper = sign_mask(q);
     if (t_.column_roots != 0) q = root_column(q);
     return {floats_of(hn::Add(bits_of(q), hn::And(upper, set(apart)))), upper};
   }
@@ -66,6 +71,13 @@ class Sampling {
     return hn::CopySignToAbs(p, q);
   }
 
+  /// kernel::vndf_mirrored, of u2.
+  HWY_INLINE V mirrored(V place) const {
+    const V mirror = hn::Sub(set(t_.column_span), place);
+    const W added = hn::And(sign_mask(hn::Sub(mirror, place)), set(t_.column_mirror));
+    return floats_of(hn::Add(bits_of(hn::Min(place, mirror)), added));
+  }
+
   HWY_INLINE void place_columns(const Directions& directions, const float* u1, const float* u2,
                                 std::size_t n) {
     for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
@@ -74,42 +86,64 @@ class Sampling {
       CellVector cell = cell_of(t_.block, t_.marginal_guide, t_.column_shift, first.place);
       cell.offset = hn::Add(cell.offset, load(directions.row, i));
       store(cell, marginal_, i);
-      const Column second = column(hn::LoadU(d, u2 + i), kernel::kVndfSign);
+      Column second = column(hn::LoadU(d, u2 + i), kernel::kVndfSign);
+      if (t_.separable == 0) second.place = mirrored(second.place);
       store(cell_of(t_.block, t_.conditional_guide, t_.column_shift, second.place), conditional_,
             i);
       store(hn::And(second.upper, set(kernel::kVndfSign)), signs_, i);
     }
   }
 
-  HWY_INLINE void draw_slope_x(const Directions& directions, std::size_t n) {
+  /// The cubic of u1 at sample i and those beside it.
+  HWY_INLINE V marginal(const Directions& directions, std::size_t i) const {
+    return blended_cubics(t_.block, marginal_.offset.data() + i, load(directions.g, i))
+        .at(load(marginal_.f, i));
+  }
+
+  HWY_INLINE void store_root(V root, std::size_t i) {
+    store(hn::Min(hn::Max(root, set(t_.least_root)), set(t_.most_root)), root_, i);
+  }
+
+  HWY_INLINE void draw_root(const Directions& directions, std::size_t n) {
+    for (std::size_t i = 0; i < n; i += hn::Lanes(d)) store_root(marginal(directions, i), i);
+  }
+
+  /// kernel::vndf_slope_place, and where the guide has the entries of its key.
+  HWY_INLINE void place_slopes(const Directions& directions, std::size_t n) {
     for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
-      const CubicVector cubic =
-          blended_cubics(t_.block, marginal_.offset.data() + i, load(directions.g, i));
-      const V root = cubic.at(load(marginal_.f, i));
-      store(hn::Min(hn::Max(root, set(t_.least_root)), set(t_.most_root)), root_, i);
+      const V w = hn::Sub(set(t_.slope_middle), marginal(directions, i));
+      const V p = hn::Min(hn::Add(hn::Abs(w), set(t_.slope_offset)), set(t_.slope_most));
+      const W place = hn::Add(bits_of(p), hn::And(sign_mask(w), set(t_.slope_upper)));
+      store(floats_of(place), slope_, i);
+      const W key = hn::ShiftRightSame(place, static_cast<int>(t_.slope_shift));
+      store(hn::Add(hn::ShiftLeft<4>(key), set(t_.slope_guide)), slope_entry_, i);
     }
   }
 
-  /// kernel::vndf_slope_row.
-  HWY_INLINE void place_slope_rows(std::size_t n) {
+  /// The cells of the map and of the rows of y, whose entries are four numbers side by side.
+  HWY_INLINE void fetch_slope_cells(std::size_t n) {
     for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
-      const V root = load(root_, i), m = hn::Sub(hn::Mul(root, root), set(0.5f));
-      const CellVector row = cell_of(t_.block, t_.slope_guide, t_.slope_shift,
-                                     hn::Add(hn::Abs(m), set(t_.slope_offset)));
-      store(row.f, slope_row_, i);
-      store(hn::Add(row.offset, load(conditional_.offset, i)), conditional_.offset, i);
+      const V place = load(slope_, i);
+      const FourVectors entry = fetch_fours(t_.block, slope_entry_.data() + i);
+      store(CellVector{hn::Sub(place, entry.v0), bits_of(entry.v1)}, map_, i);
+      store(hn::Sub(place, entry.v2), slope_row_, i);
+      store(hn::Add(load(conditional_.offset, i), bits_of(entry.v3)), conditional_.offset, i);
     }
   }
 
+  HWY_INLINE void draw_mapped_root(std::size_t n) {
+    for (std::size_t i = 0; i < n; i += hn::Lanes(d))
+      store_root(cubics(t_.block, map_.offset.data() + i).at(load(map_.f, i)), i);
+  }
+
+  HWY_INLINE void draw_separable_y(std::size_t n) {
+    for (std::size_t i = 0; i < n; i += hn::Lanes(d))
+      store_slope_y(cubics(t_.block, conditional_.offset.data() + i), i);
+  }
   HWY_INLINE void draw_slope_y(std::size_t n) {
-    if (t_.separable != 0) {
-      for (std::size_t i = 0; i < n; i += hn::Lanes(d))
-        store_slope_y(cubics(t_.block, conditional_.offset.data() + i), i);
-    } else {
-      for (std::size_t i = 0; i < n; i += hn::Lanes(d))
-        store_slope_y(blended_cubics(t_.block, conditional_.offset.data() + i, load(slope_row_, i)),
-                      i);
-    }
+    for (std::size_t i = 0; i < n; i += hn::Lanes(d))
+      store_slope_y(blended_cubics(t_.block, conditional_.offset.data() + i, load(slope_row_, i)),
+                    i);
   }
   HWY_INLINE void store_slope_y(const CubicVector& cubic, std::size_t i) {
     const V v = cubic.at(load(conditional_.f, i));
@@ -155,8 +189,9 @@ class Sampling {
 
   const kernel::VndfTables& t_;
   Samples& samples_;
-  Cells marginal_, conditional_;
-  Lanes<std::uint32_t> signs_;
+  Cells marginal_, map_, conditional_;
+  Lanes<std::uint32_t> signs_, slope_entry_;
+  Lanes<float> slope_;  // place on the axis of slopes
   Lanes<float> root_, slope_row_, v_;
 };
 

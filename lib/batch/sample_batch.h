@@ -5,21 +5,11 @@
 
 #include <span>
 
+#include "batch/spans.h"
 #include "vndf/kernel.h"
 #include "vndf/vec.h"
 
 namespace vndf {
-
-/// Unit vectors, one component a span; all of one size.
-struct DirectionSpans {
-  std::span<const float> x, y, z;
-};
-struct AlphaSpans {
-  std::span<const float> x, y;
-};
-struct NormalSpans {
-  std::span<float> x, y, z;
-};
 
 /// Draws wm[i] for wi[i], alpha[i], u1[i], u2[i]. Any length; spans need no alignment, and `wm` may
 /// not overlap the others. The normals are those of Kernel::sample() bit for bit, on every target

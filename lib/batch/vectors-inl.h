@@ -57,6 +57,11 @@ HWY_INLINE V floats_of(W a) {
   return hn::BitCast(d, a);
 }
 
+/// All bits of the lanes whose sign bit is set.
+HWY_INLINE W sign_mask(V a) {
+  return hn::BitCast(dw, hn::BroadcastSignBit(hn::BitCast(hn::RebindToSigned<Words>(), a)));
+}
+
 /// a b + c in two roundings, as the scalar kernel has it.
 HWY_INLINE V multiply_add(V a, V b, V c) {
   return hn::Add(hn::Mul(a, b), c);

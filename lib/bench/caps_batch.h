@@ -1,10 +1,11 @@
 // The baseline of the benchmark: visible GGX normals by spherical caps, as published (Dupuy and
-// Benyoub 2023), over the same spans and with the same dispatch as sample_batch().
+// Benyoub 2023), over structures of arrays.
 #pragma once
 
 #include <span>
 
-#include "batch/sample_batch.h"
+#include "batch/spans.h"
+#include "vndf/vec.h"
 
 namespace vndf::bench {
 

@@ -8,17 +8,14 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <sstream>
 #include <stdexcept>
 
-#include "batch/sample_batch.h"
 #include "bench/caps_batch.h"
 #include "bench/literal_tables.h"
 #include "bench/published_caps.h"
 #include "io/table_file.h"
 #include "precompute/build_tables.h"
 #include "precompute/distribution_spec.h"
-#include "precompute/smallest_tables.h"
 #include "vndf/reference/beckmann_analytic.h"
 #include "vndf/reference/beckmann_exact.h"
 #include "vndf/reference/beckmann_ndf.h"
@@ -187,22 +184,10 @@ void add_tables(std::vector<Entrant>& list, const std::string& spec, const Field
     const std::string size = std::to_string(side);
     list.push_back({spec + " literal " + size, spec, Kind::literal, side,
                     [d, side] { return literal(*d, side); }});
-    for (const RowBlend blend : {RowBlend::linear, RowBlend::cubic})
-      list.push_back({spec + (blend == RowBlend::linear ? " linear " : " cubic ") + size, spec,
-                      Kind::table, side, [d, side, blend] {
-                        return tabulated([&] {
-                          return precompute::build_tables(*d, {.layout = {side, side, blend}});
-                        });
-                      }});
-  }
-  for (const double tolerance : options.tolerances) {
-    std::ostringstream name;
-    name << spec << " smallest for " << tolerance;
-    list.push_back({name.str(), spec, Kind::compact, 0, [d, tolerance] {
-                      return tabulated([&] {
-                        return precompute::smallest_tables(*d, {tolerance, kMaxCompactBytes});
-                      });
-                    }});
+    list.push_back(
+        {spec + " linear " + size, spec, Kind::table, side, [d, side] {
+           return tabulated([&] { return precompute::build_tables(*d, {.layout = {side, side}}); });
+         }});
   }
 }
 

@@ -1,5 +1,5 @@
-// Who runs: the baseline, the reference samplers, the paper's layout read literally, tables by size
-// and the smallest tables within a tolerance.
+// Who runs: the baseline, the reference samplers, the paper's layout read literally, and tables by
+// size.
 #pragma once
 
 #include <string>
@@ -15,14 +15,9 @@ inline const std::vector<std::string> kUsualDistributions{"beckmann", "ggx", "st
 
 struct FieldOptions {
   std::vector<std::string> distributions = kUsualDistributions;
-  /// Rows and columns of tables, each with linear and with cubic rows, and read literally.
+  /// Rows and columns of tables, ours and read literally.
   std::vector<std::size_t> sides = {16, 32, 64, 128, 256, 512, 1024};
-  /// Each gives the smallest tables that keep it.
-  std::vector<double> tolerances = {1e-4, 1e-5};
 };
-
-/// The most bytes of tables that are the smallest within a tolerance: a second-level cache.
-inline constexpr std::size_t kMaxCompactBytes = std::size_t{1} << 20;
 
 /// All of them, the baseline first. Throws std::invalid_argument for a distribution that is none.
 std::vector<Entrant> entrants(const FieldOptions& options);

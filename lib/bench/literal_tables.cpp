@@ -48,12 +48,12 @@ VisibleSlopes visible_at(const UnitSlopes& slopes, double theta) {
 
 /// The distribution of y in units of the mean slope, at the slope x in those units.
 ConditionalSlopes conditional_at(const UnitSlopes& slopes, double x) {
-  return {slopes, x, {1, 1, slopes.support()}};
+  return {slopes, x, precompute::plain_scale(slopes)};
 }
 
 /// The scale of that distribution.
 double scale_at(const UnitSlopes& slopes, double x) {
-  return ConditionalScale<double>{1, 1, slopes.support()}.at({x, 1});
+  return precompute::plain_scale(slopes).at({x, 1});
 }
 
 void fill_x_row(const UnitSlopes& slopes, double theta, std::size_t side, float* row) {

@@ -44,9 +44,8 @@ std::shared_ptr<const LiteralTables> make_literal_tables(const precompute::UnitS
 /// Bilinear value of a square table at coordinates in [0, 1].
 template <class T>
 T bilinear(const std::vector<float>& table, std::size_t side, T row, T column) {
-  const int nodes = static_cast<int>(side);
-  const Cell<T> r = cell_of(row, nodes), c = cell_of(column, nodes);
-  const float* p = table.data() + r.index * nodes + c.index;
+  const Cell<T> r = cell_of(row, side), c = cell_of(column, side);
+  const float* p = table.data() + r.index * side + c.index;
   const auto along = [&c](const float* q) {
     const T left = static_cast<T>(q[0]), right = static_cast<T>(q[1]);
     return left + c.fraction * (right - left);

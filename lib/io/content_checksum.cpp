@@ -1,5 +1,5 @@
 // The canonical byte sequence of slope tables, fed to the check piece by piece. Numbers are
-// little-endian: 64-bit counts, float64, and float32 for the values of tables.
+// little-endian: 64-bit counts, float64, and the values of tables as they are stored.
 #include "io/content_checksum.h"
 
 #include <algorithm>
@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "io/crc64.h"
-#include "io/stored_tables.h"
 #include "io/table_format.h"
 
 namespace vndf::io {
@@ -31,20 +30,12 @@ void add_text(Crc64& crc, std::string_view text) {
   crc.add(text);
 }
 
-template <class V>
-void add_row(Crc64& crc, const std::vector<V>& row) {
-  if constexpr (std::endian::native == std::endian::little)
-    crc.add({reinterpret_cast<const char*>(row.data()), row.size() * sizeof(V)});
-  else
-    std::for_each(row.begin(), row.end(), [&](V value) { add_number(crc, value); });
-}
-
 void add_table(Crc64& crc, const QuantileTable& table) {
   add_count(crc, table.rows());
   add_count(crc, table.columns());
   for (std::size_t i = 0; i < table.rows(); ++i)
-    table.in_double() ? add_row(crc, table.row_values<double>(i))
-                      : add_row(crc, table.row_values(i));
+    for (const double value : table.row_values(i))
+      table.in_double() ? add_number(crc, value) : add_number(crc, static_cast<float>(value));
 }
 
 void add_axis(Crc64& crc, const std::vector<RowKnot>& knots) {
@@ -61,13 +52,6 @@ void add_map(Crc64& crc, const std::vector<CubicNode<double>>& nodes) {
     add_number(crc, node.value);
     add_number(crc, node.tangent);
   }
-}
-
-void add_adaptation(Crc64& crc, const SlopeTables& tables) {
-  for (const double number :
-       {tables.conditional_constant, tables.conditional_quadratic, tables.conditional_unit})
-    add_number(crc, number);
-  add_map(crc, tables.marginal_map);
 }
 
 void add_curve(Crc64& crc, const LogCurve<double>& curve) {
@@ -88,17 +72,15 @@ void add_curve(Crc64& crc, const LogCurve<double>& curve) {
 
 std::uint64_t content_checksum(const SlopeTables& tables) {
   Crc64 crc;
-  const bool adapted = is_adapted(tables);
-  add_text(crc, adapted ? kAdaptedCoordinates : kCoordinates);
-  add_text(crc, interpolation_of(tables));
-  add_number(crc, tables.mean_slope);
-  add_number(crc, tables.support);
-  add_count(crc, static_cast<std::size_t>(tables.tail_order));
+  add_text(crc, kCoordinates);
+  for (const double number : {tables.mean_slope, tables.support, tables.conditional_constant,
+                              tables.conditional_quadratic})
+    add_number(crc, number);
   add_table(crc, tables.marginal);
   add_table(crc, tables.conditional);
   add_axis(crc, tables.marginal_rows);
   add_axis(crc, tables.conditional_rows);
-  if (adapted) add_adaptation(crc, tables);
+  add_map(crc, tables.marginal_map);
   add_curve(crc, tables.log_ndf);
   add_curve(crc, tables.log_backfacing);
   return crc.value();

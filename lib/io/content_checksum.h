@@ -8,8 +8,8 @@
 
 namespace vndf::io {
 
-/// CRC-64/XZ over the byte sequence that tables/FORMAT.md defines: the coordinates and the
-/// interpolation of this version, mean slope, tables, curves. Not over the distribution's name.
+/// CRC-64/XZ over the byte sequence that tables/FORMAT.md defines: the name of the
+/// coordinates, the numbers, tables and curves. Not over the distribution's name.
 std::uint64_t content_checksum(const SlopeTables& tables);
 
 }  // namespace vndf::io

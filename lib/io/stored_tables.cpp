@@ -48,10 +48,8 @@ template <class V>
 std::vector<V> values_of(const QuantileTable& table) {
   std::vector<V> values;
   values.reserve(table.rows() * table.columns());
-  for (std::size_t i = 0; i < table.rows(); ++i) {
-    const auto row = table.row_values<V>(i);
-    values.insert(values.end(), row.begin(), row.end());
-  }
+  for (std::size_t i = 0; i < table.rows(); ++i)
+    for (const double v : table.row_values(i)) values.push_back(static_cast<V>(v));
   return values;
 }
 
@@ -162,31 +160,23 @@ const Values& values_of(const Array& array, const std::string& name) {
   throw Refusal("the values of the array '" + name + "' are not " + kTypeName<Values>, kRemake);
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::ostringstream list;
-  for (std::size_t i = 0; i < names.size(); ++i) list << (i > 0 ? ", '" : "'") << names[i] << "'";
-  return list.str();
-}
-
-Refusal unknown(const std::string& attribute, const std::string& name, const std::string& known) {
-  return Refusal(
-      "its " + attribute + " '" + name + "' is unknown to this program, which knows " + known,
-      "use the program that wrote it, or make the file again");
-}
-
 void check_coordinates(const StoredTables& stored) {
   const auto& name = attribute<std::string>(stored, "coordinates");
-  if (name == kCoordinates || name == kAdaptedCoordinates) return;
-  throw unknown("coordinates", name, listed({kCoordinates, kAdaptedCoordinates}));
+  if (name != kCoordinates)
+    throw Refusal("its coordinates '" + name + "' are unknown to this program, which knows '" +
+                      kCoordinates + "'",
+                  "use the program that wrote it, or make the file again");
 }
 
 void check_version(const StoredTables& stored) {
   const int major = attribute<int>(stored, "format_major");
   const int minor = attribute<int>(stored, "format_minor");
-  if (major != kFormatMajor)
-    throw Refusal("its format version is " + std::to_string(major) + "." + std::to_string(minor) +
-                      " and this program reads version " + std::to_string(kFormatMajor),
-                  "use a newer program, or make the file again with this one");
+  const std::string version = "format " + std::to_string(major) + "." + std::to_string(minor);
+  if (major < kFormatMajor)
+    throw Refusal(version + " is older than this program reads", "build the table again");
+  if (major > kFormatMajor)
+    throw Refusal(version + " is newer than this program reads",
+                  "use a newer program, or build the table again with this one");
 }
 
 void check_identity(const StoredTables& stored) {
@@ -200,41 +190,19 @@ void check_identity(const StoredTables& stored) {
   check_coordinates(stored);
 }
 
-bool adapted(const StoredTables& stored) {
-  return attribute<std::string>(stored, "coordinates") == kAdaptedCoordinates;
-}
-
-/// The entry of kInterpolations that a file names.
-Interpolation interpolation_of(const StoredTables& stored) {
-  const auto& name = attribute<std::string>(stored, "interpolation");
-  const auto found = std::find_if(std::begin(kInterpolations), std::end(kInterpolations),
-                                  [&](const Interpolation& i) { return name == i.name; });
-  if (found != std::end(kInterpolations)) return *found;
-  std::vector<std::string> names;
-  for (const auto& known : kInterpolations) names.push_back(known.name);
-  throw unknown("interpolation", name, listed(names));
-}
-
 QuantileTable table_of(const StoredTables& stored, const std::string& name) {
   const Array& a = array(stored, name);
-  const Interpolation how = interpolation_of(stored);
-  const bool marginal = name == "marginal";
-  const RowBlend blend = marginal ? how.marginal : how.conditional;
-  const Tangents tangents = marginal ? how.tangents : conditional_tangents(how.tangents);
-  const std::size_t least = blend == RowBlend::cubic ? 4 : 2;
-  const auto in_range = [](std::size_t n, std::size_t at_least) {
-    return n >= at_least && n <= kMaxTableSide;
+  const auto in_range = [](std::size_t n, std::size_t least) {
+    return n >= least && n <= kMaxTableSide;
   };
-  const bool one_row = adapted(stored) && a.shape.size() == 2 && a.shape[0] == 1;
-  if (a.shape.size() != 2 || !(one_row || in_range(a.shape[0], least)) || !in_range(a.shape[1], 3))
+  if (a.shape.size() != 2 || !in_range(a.shape[0], 2) || !in_range(a.shape[1], kFewestColumns))
     throw Refusal("the array '" + name + "' has the shape " + text_of(a.shape) +
-                      ", not rows x columns, at least " + text_of({least, 3}) + " and at most " +
-                      text_of({kMaxTableSide, kMaxTableSide}),
+                      ", not rows x columns, at least " + text_of({2, kFewestColumns}) +
+                      " and at most " + text_of({kMaxTableSide, kMaxTableSide}),
                   kRemake);
-  if (adapted(stored) && std::holds_alternative<std::vector<double>>(a.values))
-    return QuantileTable::with_double_values(
-        a.shape[0], a.shape[1], std::get<std::vector<double>>(a.values), blend, tangents);
-  return {a.shape[0], a.shape[1], values_of<std::vector<float>>(a, name), blend, tangents};
+  if (const auto* values = std::get_if<std::vector<double>>(&a.values))
+    return QuantileTable::with_double_values(a.shape[0], a.shape[1], *values);
+  return {a.shape[0], a.shape[1], values_of<std::vector<float>>(a, name)};
 }
 
 /// The values of an array of `columns` numbers a row, with its rows.
@@ -265,7 +233,6 @@ std::vector<RowKnot> axis_of(const StoredTables& stored, const std::string& name
 }
 
 std::vector<CubicNode<double>> map_of(const StoredTables& stored, const std::string& name) {
-  if (!adapted(stored) || stored.arrays.count(name) == 0) return {};
   const Rows rows = rows_of(stored, name, 2, 2);
   std::vector<CubicNode<double>> nodes;
   for (std::size_t i = 0; i < rows.count; ++i)
@@ -305,16 +272,11 @@ LogCurve<double> curve_of(const StoredTables& stored, const std::string& name, b
 SlopeTables tables_of(const StoredTables& stored) {
   const double support = attribute<double>(stored, "support");
   const bool open = std::isinf(support);
-  const auto adaptation = [&](const char* name) {
-    return adapted(stored) ? attribute<double>(stored, name) : 1;
-  };
   return {.distribution = attribute<std::string>(stored, "distribution"),
           .mean_slope = attribute<double>(stored, "mean_slope"),
           .support = support,
-          .tail_order = attribute<int>(stored, "tail_order"),
-          .conditional_constant = adaptation("conditional_constant"),
-          .conditional_quadratic = adaptation("conditional_quadratic"),
-          .conditional_unit = adaptation("conditional_unit"),
+          .conditional_constant = attribute<double>(stored, "conditional_constant"),
+          .conditional_quadratic = attribute<double>(stored, "conditional_quadratic"),
           .marginal = table_of(stored, "marginal"),
           .conditional = table_of(stored, "conditional"),
           .marginal_rows = axis_of(stored, "marginal_rows"),
@@ -349,20 +311,6 @@ Certificate certificate_of(const StoredTables& stored) {
 
 }  // namespace
 
-bool is_adapted(const SlopeTables& t) {
-  const bool plain_scale = t.conditional_constant == 1 && t.conditional_quadratic == 1;
-  return !t.marginal_map.empty() || !plain_scale || t.conditional_unit != 1 ||
-         t.conditional.rows() == 1 || t.marginal.in_double() || t.conditional.in_double();
-}
-
-const char* interpolation_of(const SlopeTables& tables) {
-  const auto same = [&](const Interpolation& i) {
-    return i.marginal == tables.marginal.blend() && i.conditional == tables.conditional.blend() &&
-           i.tangents == tables.marginal.tangents();
-  };
-  return std::find_if(std::begin(kInterpolations), std::end(kInterpolations), same)->name;
-}
-
 bool may_read(const Shape& shape) {
   if (shape.size() != 2 || shape[0] == 0 || shape[1] == 0) return false;
   const bool like_table = shape[0] <= kMaxTableSide && shape[1] <= kMaxTableSide;
@@ -382,11 +330,11 @@ StoredTables to_stored(const TableFile& file) {
                        {"input_checksum", file.provenance.input_checksum},
                        {"notes", file.provenance.notes},
                        {"distribution", tables.distribution},
-                       {"coordinates", is_adapted(tables) ? kAdaptedCoordinates : kCoordinates},
-                       {"interpolation", interpolation_of(tables)},
+                       {"coordinates", kCoordinates},
                        {"mean_slope", tables.mean_slope},
                        {"support", tables.support},
-                       {"tail_order", tables.tail_order},
+                       {"conditional_constant", tables.conditional_constant},
+                       {"conditional_quadratic", tables.conditional_quadratic},
                        {"content_checksum", hex_digits(content_checksum(tables))}};
   for_each_figure(file.certificate, [&](const std::string& name, double value) {
     result.attributes[certificate_name(name)] = value;
@@ -395,15 +343,11 @@ StoredTables to_stored(const TableFile& file) {
                    {"conditional", stored(tables.conditional)},
                    {"marginal_rows", stored(tables.marginal_rows)},
                    {"conditional_rows", stored(tables.conditional_rows)},
+                   {"marginal_map", stored(tables.marginal_map)},
                    {"log_ndf", stored_nodes(tables.log_ndf)},
                    {"log_ndf_segments", stored_segments(tables.log_ndf)},
                    {"log_backfacing", stored_nodes(tables.log_backfacing)},
                    {"log_backfacing_segments", stored_segments(tables.log_backfacing)}};
-  if (!is_adapted(tables)) return result;
-  result.attributes["conditional_constant"] = tables.conditional_constant;
-  result.attributes["conditional_quadratic"] = tables.conditional_quadratic;
-  result.attributes["conditional_unit"] = tables.conditional_unit;
-  if (!tables.marginal_map.empty()) result.arrays["marginal_map"] = stored(tables.marginal_map);
   return result;
 }
 

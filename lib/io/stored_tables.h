@@ -40,17 +40,11 @@ struct StoredTables {
 /// table_format.h. A reader leaves the values of any other array NotUsed and allocates nothing.
 bool may_read(const std::vector<std::size_t>& shape);
 
-/// Whether tables need the adapted coordinates of version 1.1.
-bool is_adapted(const SlopeTables& tables);
-/// The name of the interpolation of tables.
-const char* interpolation_of(const SlopeTables& tables);
-
 /// Throws Refusal if the tables are missing or break a rule of check() or a limit of the format.
 StoredTables to_stored(const TableFile& file);
 
-/// Throws Refusal with the first rule that is broken: the file's type, version, names of
-/// coordinates and interpolation, attributes and arrays with their types and shapes, content
-/// checksum, check().
+/// Throws Refusal with the first rule that is broken: the file's type, version, name of
+/// coordinates, attributes and arrays with their types and shapes, content checksum, check().
 TableFile from_stored(const StoredTables& stored);
 
 }  // namespace vndf::io

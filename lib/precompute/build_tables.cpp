@@ -23,11 +23,6 @@ constexpr std::size_t kCurveNodes = 2048;
 // its digits to the farthest place, and so do the tangents that continue the curve.
 constexpr double kSmallestCurveValue = 1e-250;
 constexpr double kFarthestCurve = 20;
-// A marginal table with a larger fault than this is made again with a map, and the better one kept.
-constexpr double kGoodFault = 3e-6;
-// What a tail at 1e-6 that is off by a factor counts against an error in u: 5 % as much as 5e-6.
-constexpr double kTailWeight = 1e-4;
-constexpr std::size_t kMapNodesPerColumn = 4;
 
 /// asinh of the last slope at which `f` is more than nothing. It may be nothing in a hole too, so
 /// the end is looked for from beyond.
@@ -75,12 +70,10 @@ LogCurve<double> backfacing_curve(const UnitSlopes& slopes, const Workers& worke
 }
 
 void require_size(const TableLayout& layout) {
-  const std::size_t least = layout.blend == RowBlend::cubic ? 4 : 2;
-  if (layout.rows < least || layout.columns < 3 || layout.rows > kLargestSize ||
+  if (layout.rows < 2 || layout.columns < kFewestColumns || layout.rows > kLargestSize ||
       layout.columns > kLargestSize)
     throw std::invalid_argument("table size " + std::to_string(layout.rows) + "x" +
-                                std::to_string(layout.columns) + ": from " + std::to_string(least) +
-                                "x3 to 8192x8192");
+                                std::to_string(layout.columns) + ": from 2x5 to 8192x8192");
 }
 
 /// Workers that report rows as a part of the work of both tables, the first `before` rows done.
@@ -94,82 +87,45 @@ Workers reporting(const BuildOptions& options, std::size_t before) {
   return workers;
 }
 
-/// The same tables with a map, if that makes the marginal better.
-void try_map(BuiltTables& built, const UnitSlopes& slopes, const BuildOptions& options) {
-  SlopeTables tables = *built.tables;
-  const Workers workers{options.threads};
-  set_mapped_marginal(tables, slopes, options.layout, kMapNodesPerColumn * options.layout.columns,
-                      workers);
-  const auto mapped = share(std::move(tables));
-  const Certificate certificate = measure_certificate(slopes, mapped, workers);
-  if (fault(certificate.marginal) >= fault(built.certificate.marginal)) return;
-  built.tables = mapped;
-  built.certificate = certificate;
-}
-
-void set_marginal(SlopeTables& tables, const UnitSlopes& slopes, const MarginalCoding& coding,
-                  const TableLayout& layout, const Workers& workers) {
-  PlacedTable placed = fill_table(marginal_rows(slopes, coding), layout, workers);
-  tables.tail_order = coding.order;
+void set_marginal(SlopeTables& tables, const UnitSlopes& slopes, const TableLayout& layout,
+                  const Workers& workers) {
+  tables.marginal_map = marginal_map(slopes);
+  const MonotoneMap map(tables.marginal_map);
+  PlacedTable placed = fill_table(marginal_rows(slopes, map), layout, workers);
   tables.marginal = std::move(placed.table);
   tables.marginal_rows = std::move(placed.knots);
-  tables.marginal_map = coding.nodes;
+}
+
+void set_conditional(SlopeTables& tables, const UnitSlopes& slopes, const TableLayout& layout,
+                     const Workers& workers) {
+  const auto [scale, factorises] = conditional_shape(slopes);
+  const RowSource source = conditional_rows(slopes, scale);
+  tables.conditional_constant = scale.constant;
+  tables.conditional_quadratic = scale.quadratic;
+  PlacedTable placed = factorises ? PlacedTable{fill_with_one_row(source, layout)}
+                                  : fill_table(source, layout, workers);
+  tables.conditional = std::move(placed.table);
+  tables.conditional_rows = std::move(placed.knots);
 }
 
 }  // namespace
-
-double fault(const TableErrors& e) {
-  const double tail = std::max(std::abs(std::log(e.lower.e6)), std::abs(std::log(e.upper.e6)));
-  return std::max(e.max_u_error, kTailWeight * tail);
-}
-
-SlopeTables tables_without_rows(const UnitSlopes& slopes, const Workers& workers) {
-  return {.distribution = slopes.distribution().name(),
-          .mean_slope = slopes.mean_slope(),
-          .support = slopes.support(),
-          .log_ndf = ndf_curve(slopes, workers),
-          .log_backfacing = backfacing_curve(slopes, workers)};
-}
-
-void set_plain_marginal(SlopeTables& tables, const UnitSlopes& slopes, const TableLayout& layout,
-                        const Workers& workers) {
-  set_marginal(tables, slopes, {tail_order(slopes)}, layout, workers);
-}
-
-void set_mapped_marginal(SlopeTables& tables, const UnitSlopes& slopes, const TableLayout& layout,
-                         std::size_t nodes, const Workers& workers) {
-  const int order = tail_order(slopes);
-  set_marginal(tables, slopes, {order, marginal_map(slopes, order, nodes)}, layout, workers);
-}
-
-void set_conditional(SlopeTables& tables, const UnitSlopes& slopes, const ConditionalShape& shape,
-                     double unit, TableLayout layout, const Workers& workers) {
-  if (shape.factorises) layout.rows = 1;
-  const ConditionalCoding coding{shape.scale, unit};
-  PlacedTable placed = fill_table(conditional_rows(slopes, coding), layout, workers);
-  tables.conditional = std::move(placed.table);
-  tables.conditional_rows = std::move(placed.knots);
-  tables.conditional_constant = shape.scale.constant;
-  tables.conditional_quadratic = shape.scale.quadratic;
-  tables.conditional_unit = unit;
-}
 
 BuiltTables build_tables(const SlopeDistribution& distribution, const BuildOptions& options) {
   require_size(options.layout);
   const Workers workers{options.threads};
   const UnitSlopes slopes(distribution, workers);
-  SlopeTables tables = tables_without_rows(slopes, workers);
-  set_plain_marginal(tables, slopes, options.layout, reporting(options, 0));
-  set_conditional(tables, slopes, conditional_shape(slopes), 1, options.layout,
-                  reporting(options, options.layout.rows));
-
+  SlopeTables tables{.distribution = distribution.name(),
+                     .mean_slope = slopes.mean_slope(),
+                     .support = slopes.support(),
+                     .log_ndf = ndf_curve(slopes, workers),
+                     .log_backfacing = backfacing_curve(slopes, workers)};
+  set_marginal(tables, slopes, options.layout, reporting(options, 0));
+  set_conditional(tables, slopes, options.layout, reporting(options, options.layout.rows));
   if (options.progress) options.progress(1);
 
-  BuiltTables built{share(std::move(tables)), {}, slopes.mass(), slopes.quadrature_error()};
-  built.certificate = measure_certificate(slopes, built.tables, workers);
-  const bool cubic = options.layout.blend == RowBlend::cubic;
-  if (cubic || fault(built.certificate.marginal) > kGoodFault) try_map(built, slopes, options);
-  return built;
+  const auto shared = share(std::move(tables));
+  return {shared, measure_certificate(slopes, shared, workers), slopes.mass(),
+          slopes.quadrature_error()};
 }
 
 }  // namespace vndf::precompute

@@ -48,7 +48,7 @@ std::vector<double> values_at(const UnitSlopes& slopes, double x,
 bool same_everywhere(const UnitSlopes& slopes, const ConditionalScale<double>& scale) {
   const auto at_zero = values_at(slopes, 0, scale);
   for (const double place : kPlaces) {
-    const double x = std::isfinite(scale.support) ? scale.support * place / (1 + place) : place;
+    const double r = slopes.support(), x = std::isfinite(r) ? r * place / (1 + place) : place;
     if (!ConditionalSlopes::reachable(slopes, x)) return false;
     const auto there = values_at(slopes, x, scale);
     for (std::size_t k = 0; k < there.size(); ++k)
@@ -60,15 +60,15 @@ bool same_everywhere(const UnitSlopes& slopes, const ConditionalScale<double>& s
 }  // namespace
 
 ConditionalShape conditional_shape(const UnitSlopes& slopes) {
-  ConditionalShape shape{{.support = slopes.support()}};
+  ConditionalShape shape{plain_scale(slopes)};
   // A break makes a kink in y that moves with x, but the end of a compact distribution is the
   // scale.
-  const std::size_t ends = std::isfinite(slopes.support()) ? 1 : 0;
-  if (slopes.distribution().breaks().size() > ends) return shape;
-  const auto growth = ends == 0 ? quadratic_growth(slopes) : std::optional<double>(1);
+  const bool bounded = std::isfinite(slopes.support());
+  if (slopes.distribution().breaks().size() > (bounded ? 1 : 0)) return shape;
+  const auto growth = bounded ? shape.scale.quadratic : quadratic_growth(slopes);
   if (!growth || !ConditionalSlopes::reachable(slopes, 0) || !std::isfinite(slopes.p22(0)))
     return shape;
-  const ConditionalScale<double> scale{1, *growth, slopes.support()};
+  const ConditionalScale<double> scale{shape.scale.constant, *growth};
   if (same_everywhere(slopes, scale)) shape = {scale, true};
   return shape;
 }

@@ -1,7 +1,7 @@
 // How the distribution of y given x depends on x. For Gaussian, Student-T and Pearson II slopes,
 // and for no others that are smooth, y is a scale that depends on x times one and the same
-// variable: the conditional table has one row. This is found by looking at the density, not at its
-// name.
+// variable: all rows of the conditional table are equal. This is found by looking at the density,
+// not at its name.
 #pragma once
 
 #include "precompute/unit_slopes.h"
@@ -10,8 +10,7 @@
 namespace vndf::precompute {
 
 struct ConditionalShape {
-  /// sqrt(1 + B x^2) with the B that makes all conditionals the same, or else B = 1; sqrt(R^2 -
-  /// x^2) for a compact distribution.
+  /// sqrt(1 + B x^2) with the B that makes all conditionals the same, or else plain_scale().
   ConditionalScale<double> scale;
   /// Whether the conditional of y / scale is the same at every x, to kSameConditional.
   bool factorises = false;

@@ -39,6 +39,11 @@ Estimate integrate_panel(F f, double low, double high) {
 
 }  // namespace
 
+ConditionalScale<double> plain_scale(const UnitSlopes& slopes) {
+  const double r = slopes.support();
+  return std::isfinite(r) ? ConditionalScale<double>{r * r, -1} : ConditionalScale<double>{1, 1};
+}
+
 bool ConditionalSlopes::reachable(const UnitSlopes& slopes, double x) {
   return x < slopes.support() && slopes.density(x).value > kSmallestDensity;
 }

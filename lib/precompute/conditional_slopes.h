@@ -4,8 +4,8 @@
 //   P(|Y| < y | x) = int_0^y p22(sqrt(x^2 + s^2)) ds / int_0^inf p22(sqrt(x^2 + s^2)) ds
 //
 // y is in units of a scale that depends on x: sqrt(A + B x^2), with the A and B in which the
-// conditionals of Gaussian or Student-T slopes are one and the same; or, where no slope is larger
-// than R, sqrt(R^2 - x^2), the largest y. x is in units of the mean slope.
+// conditionals of Gaussian, Student-T or Pearson II slopes are one and the same. x is in units of
+// the mean slope.
 #pragma once
 
 #include <vector>
@@ -14,6 +14,10 @@
 #include "vndf/table_coordinates.h"
 
 namespace vndf::precompute {
+
+/// The scale where no better one is known: sqrt(1 + x^2) or, where no slope is larger than R,
+/// sqrt(R^2 - x^2), the largest y.
+ConditionalScale<double> plain_scale(const UnitSlopes& slopes);
 
 class ConditionalSlopes {
  public:

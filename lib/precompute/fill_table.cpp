@@ -12,7 +12,15 @@ namespace {
 using Rows = std::vector<std::vector<double>>;
 
 double coordinate(std::size_t i, std::size_t n) {
-  return n == 1 ? 0 : static_cast<double>(i) / static_cast<double>(n - 1);
+  return static_cast<double>(i) / static_cast<double>(n - 1);
+}
+
+/// Probabilities of the columns of a table.
+std::vector<Probability<double>> columns_of(const RowSource& source, std::size_t columns) {
+  std::vector<Probability<double>> u;
+  for (std::size_t j = 0; j < columns; ++j)
+    u.push_back(source.column_inverse(coordinate(j, columns)));
+  return u;
 }
 
 template <class V>
@@ -32,29 +40,28 @@ std::vector<V> joined(const Rows& rows, std::size_t columns) {
   return values;
 }
 
+QuantileTable table_of(const Rows& rows, const TableLayout& layout) {
+  const auto& [count, columns, in_double] = layout;
+  if (in_double)
+    return QuantileTable::with_double_values(count, columns, joined<double>(rows, columns));
+  return {count, columns, joined<float>(rows, columns)};
+}
+
 }  // namespace
 
 PlacedTable fill_table(const RowSource& source, const TableLayout& layout, const Workers& workers) {
-  PlacedTable placed;
-  if (layout.rows > 1 && layout.blend == RowBlend::linear)
-    placed.knots = place_rows(source, layout.rows, {workers.threads});
-  else if (layout.rows > 1 && source.end_of_even_rows < 1)
-    placed.knots = {{0, 0}, {source.end_of_even_rows, 1}};
-  const RowAxis<double> axis(placed.knots);
-  std::vector<Probability<double>> u;
-  for (std::size_t j = 0; j < layout.columns; ++j)
-    u.push_back(source.column_inverse(coordinate(j, layout.columns)));
+  const auto knots = place_rows(source, layout.rows, {workers.threads});
+  const RowAxis axis(knots);
+  const auto u = columns_of(source, layout.columns);
   Rows rows(layout.rows);
   parallel_for(rows.size(), workers, [&](std::size_t i) {
     rows[i] = source.row(axis.base(coordinate(i, layout.rows)), u);
   });
-  const auto& [count, columns, blend, in_double] = layout;
-  const Tangents tangents = source.even ? Tangents::five_points_even : Tangents::five_points;
-  placed.table = in_double
-                     ? QuantileTable::with_double_values(
-                           count, columns, joined<double>(rows, columns), blend, tangents)
-                     : QuantileTable(count, columns, joined<float>(rows, columns), blend, tangents);
-  return placed;
+  return {table_of(rows, layout), knots};
+}
+
+QuantileTable fill_with_one_row(const RowSource& source, const TableLayout& layout) {
+  return table_of(Rows(layout.rows, source.row(0, columns_of(source, layout.columns))), layout);
 }
 
 }  // namespace vndf::precompute

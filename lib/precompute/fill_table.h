@@ -21,17 +21,12 @@ struct RowSource {
   Probability<double> (*column_inverse)(double);
   /// Largest base coordinate that matters: rows run from 0 to it.
   double end = 1;
-  /// The same for equidistant rows, which cannot crowd where next to nothing lands; at most `end`.
-  double end_of_even_rows = 1;
-  /// Whether values are even in the column coordinate.
-  bool even = false;
   /// Base coordinates, in (0, end), at which the table has a kink.
   std::vector<double> breaks = {};
 };
 
 struct TableLayout {
   std::size_t rows = 1024, columns = 1024;
-  RowBlend blend = RowBlend::linear;
   /// Values in double precision instead of single.
   bool in_double = false;
 };
@@ -42,9 +37,11 @@ struct PlacedTable {
   std::vector<RowKnot> knots = {};
 };
 
-/// The table of `source`. Rows that are blended linearly are placed where they err least; those
-/// blended by cubics are equidistant, for a cubic across a knot would err more. Rows where no
-/// sample lands repeat the row before them.
+/// The table of `source`, its rows placed where they err least. Rows where no sample lands repeat
+/// the row before them.
 PlacedTable fill_table(const RowSource& source, const TableLayout& layout, const Workers& workers);
+
+/// The table of a source whose rows are all the same: its row at base 0 repeated.
+QuantileTable fill_with_one_row(const RowSource& source, const TableLayout& layout);
 
 }  // namespace vndf::precompute

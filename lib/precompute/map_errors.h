@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "precompute/golden_sequence.h"
@@ -24,6 +25,12 @@ inline Probability<double> from_complement(double q) {
 /// CDF(x(u)) - u without cancellation at either end; `u` is what the sampler was given.
 inline double u_error(const Probability<double>& cdf, const Probability<double>& u) {
   return u.u < 0.5 ? cdf.u - u.u : u.complement - cdf.complement;
+}
+
+/// `error`, or the largest there is where it is no number: what a sampler does not give is no small
+/// error.
+inline double error_or_largest(double error) {
+  return std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
 }
 
 /// |d CDF(x(u)) / du - 1| by a central difference, for u in (0, 1); `cdf_at(u)` is CDF(x(u)) of the

@@ -117,25 +117,21 @@ void limit_tangents(std::vector<CubicNode<double>>& nodes) {
 
 }  // namespace
 
-std::vector<CubicNode<double>> marginal_map(const UnitSlopes& slopes, int order,
-                                            std::size_t nodes) {
+std::vector<CubicNode<double>> marginal_map(const UnitSlopes& slopes, std::size_t pieces) {
   const PanelledDensity base([&](double a) { return slopes.p_da(a) * (1 + std::exp(-a)); },
                              mirrored(panel_edges(slopes)));
-  const double spacing = 1 / static_cast<double>(nodes - 1);
+  const double spacing = 1 / static_cast<double>(pieces);
   std::vector<CubicNode<double>> map{{0, 0}};
-  for (std::size_t k = 1; k + 1 < nodes; ++k) {
+  for (std::size_t k = 1; k < pieces; ++k) {
     const double t = spacing * static_cast<double>(k);
     const auto p = marginal_column_inverse(t);
     const double a = base.quantile(p);
-    const auto sigma = bounded_from_asinh(a / order);
-    // u / (1 - u) = (t / (1 - t))^4, so du/dt = 4 u (1 - u) / (t (1 - t)); the logit of sigma_n is
-    // a / n, so its derivative by a is sigma_n (1 - sigma_n) / n.
-    const double du_dt = 4 * p.u * p.complement / (t * (1 - t));
-    const double da_dt = du_dt / base.normalized(a);
-    map.push_back({sigma.sigma, sigma.denominator() / order * da_dt * spacing});
+    const auto sigma = bounded_from_asinh(a);
+    // The logit of sigma is a, so its derivative by a is sigma (1 - sigma).
+    const double da_dt = marginal_column_rate(t) / base.normalized(a);
+    map.push_back({sigma.sigma, sigma.denominator() * da_dt * spacing});
   }
-  const double end = std::asinh(slopes.support());
-  map.push_back({std::isinf(end) ? 1 : bounded_from_asinh(end / order).sigma, 0});
+  map.push_back({bounded_from_slope(slopes.support()).sigma, 0});
   set_end_tangents(map);
   limit_tangents(map);
   return map;

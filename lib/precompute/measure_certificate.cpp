@@ -1,131 +1,52 @@
-// Measures tables against the exact distribution, as a renderer runs them.
+// Measures the pair of tables against the exact distribution.
 #include "precompute/measure_certificate.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
 #include "precompute/conditional_slopes.h"
+#include "precompute/function_errors.h"
 #include "precompute/map_errors.h"
+#include "precompute/row_errors.h"
 #include "precompute/visible_slopes.h"
 #include "vndf/tabulated_sampler.h"
 
 namespace vndf::precompute {
 namespace {
 
-constexpr std::size_t kRows = 420;       // golden rows of each table
-constexpr std::size_t kUniform = 192;    // u uniform, for the mean
-constexpr std::size_t kColumns = 384;    // columns uniform, for the maximum
-constexpr std::size_t kEdgeColumns = 3;  // first and last cells, each at four places
-constexpr double kSmallestTail = 1e-9;   // of the slopes x at which the conditional is judged
-constexpr double kDensityEnd = 1e-6;     // the density is judged between this and 1 - this
-constexpr std::size_t kCurvePoints = 4000;
-constexpr double kNdfTail = 1e-12;
-constexpr double kFarthestRatio = 8;  // of the mass of a tail
 constexpr double kDegree = std::numbers::pi / 180;
-
-/// Inverse of the conditional column on the whole of u2: [0, 1/2] the lower half of the rows.
-Probability<double> conditional_u2(double t) {
-  const bool lower = t < 0.5;
-  const double half = conditional_column_inverse(lower ? 1 - 2 * t : 2 * t - 1).complement / 2;
-  return lower ? from_tail(half) : from_complement(half);
-}
 
 Probability<float> narrow(const Probability<double>& p) {
   return {static_cast<float>(p.u), static_cast<float>(p.complement)};
 }
-Probability<double> widen(const Probability<float>& p) {
-  return {p.u, p.complement};
-}
 
-/// One row of one table: the exact CDF, with complement, of what the sampler returns for u, in
-/// single and in double precision.
+/// A row of which the CDFs are known, with complement, of what the sampler returns for u, in single
+/// and in double precision.
 template <class FloatMap, class DoubleMap>
-struct Row {
-  double place;  // what the certificate calls this row
-  Probability<double> (*column_inverse)(double);
-  FloatMap sampled_single;
-  DoubleMap sampled_double;
-  bool in_double;  // the precision that is judged
+class PairRow final : public RowMap {
+ public:
+  PairRow(FloatMap in_single, DoubleMap in_double, bool judged_in_double)
+      : single_(in_single), double_(in_double), in_double_(judged_in_double) {}
 
-  /// u as the judged precision holds it.
-  Probability<double> given(const Probability<double>& u) const {
-    return in_double ? u : widen(narrow(u));
+  Probability<double> given(const Probability<double>& u) const override {
+    return in_double_ ? u : widened(narrow(u));
   }
-  Probability<double> sampled(const Probability<double>& u) const {
-    return in_double ? sampled_double(u) : sampled_single(narrow(u));
+  Probability<double> cdf(const Probability<double>& u) const override {
+    return in_double_ ? double_(u) : single_(narrow(u));
   }
+  Probability<double> tail_cdf(const Probability<double>& u) const override { return cdf(u); }
+  Probability<double> smooth_cdf(const Probability<double>& u,
+                                 const Probability<double>&) const override {
+    return double_(u);
+  }
+
+ private:
+  FloatMap single_;
+  DoubleMap double_;
+  bool in_double_;  // the precision that is judged
 };
-
-template <class Mass>
-TailRatios tail_ratios(Mass mass) {
-  return {tail_ratio(mass, 1e-4, kFarthestRatio), tail_ratio(mass, 1e-5, kFarthestRatio),
-          tail_ratio(mass, 1e-6, kFarthestRatio)};
-}
-
-void keep_farthest_of_each(TailRatios& ratios, const TailRatios& candidate) {
-  keep_farthest(ratios.e4, candidate.e4);
-  keep_farthest(ratios.e5, candidate.e5);
-  keep_farthest(ratios.e6, candidate.e6);
-}
-
-/// The places in (0, 1) at which one row is judged, beyond those uniform in u.
-template <class R>
-std::vector<Probability<double>> hard_probabilities(const R& row, std::size_t columns,
-                                                    double shift) {
-  std::vector<Probability<double>> places;
-  for (std::size_t k = 0; k < kColumns; ++k) places.push_back(row.column_inverse(golden(k, shift)));
-  for (std::size_t k = 0; k < 4 * kEdgeColumns; ++k) {
-    const double t = (static_cast<double>(k) / 4 + 0.125) / static_cast<double>(columns - 1);
-    places.push_back(row.column_inverse(t));
-    places.push_back(row.column_inverse(1 - t));
-  }
-  add_tails(places);
-  return places;
-}
-
-template <class R>
-TableErrors judge_row(const R& row, std::size_t index, std::size_t columns) {
-  TableErrors errors;
-  const auto judge = [&](const Probability<double>& exact_u) {
-    const Probability<double> u = row.given(exact_u);
-    const double error = std::abs(u_error(row.sampled(u), u));
-    if (error > errors.max_u_error) {
-      errors.max_u_error = error;
-      errors.worst_row = row.place;
-      errors.worst_u = exact_u.u;
-    }
-    if (std::min(exact_u.u, exact_u.complement) >= kDensityEnd)
-      errors.max_density_error =
-          std::max(errors.max_density_error, density_error(row.sampled_double, exact_u));
-    return error;
-  };
-  const double shift = golden(index, 0.25);
-  for (std::size_t k = 0; k < kUniform; ++k)
-    errors.mean_u_error += judge(from_tail(golden(k, shift))) / kUniform;
-  for (const auto& u : hard_probabilities(row, columns, shift)) judge(u);
-  errors.lower = tail_ratios([&](double e) { return row.sampled(from_tail(e)).u; });
-  errors.upper = tail_ratios([&](double e) { return row.sampled(from_complement(e)).complement; });
-  return errors;
-}
-
-TableErrors combine(const std::vector<TableErrors>& rows) {
-  TableErrors all;
-  for (const TableErrors& r : rows) {
-    if (r.max_u_error > all.max_u_error) {
-      all.max_u_error = r.max_u_error;
-      all.worst_row = r.worst_row;
-      all.worst_u = r.worst_u;
-    }
-    all.mean_u_error += r.mean_u_error / static_cast<double>(rows.size());
-    all.max_density_error = std::max(all.max_density_error, r.max_density_error);
-    keep_farthest_of_each(all.lower, r.lower);
-    keep_farthest_of_each(all.upper, r.upper);
-  }
-  return all;
-}
 
 /// Everything that judging needs, made once.
 struct Judge {
@@ -152,21 +73,20 @@ struct Judge {
     const BoundedSlope<double> exact = bounded_cotangent<double>(w.z, w.s);
     const VisibleSlopes visible(slopes, exact);
     // From the bounded form, for the slope itself may be beyond the range of single precision.
-    const auto cdf_of = [&](const auto& ordered) {
-      const double sigma = ordered.sigma;
-      const double a = std::log(sigma / (1 - sigma)) * sampler.tables().tail_order;
-      return visible.cdf(std::min(a, visible.farthest()));
+    const auto cdf_of = [&](const auto& x) {
+      const double sigma = x.sigma;
+      return visible.cdf(std::min(std::log(sigma / (1 - sigma)), visible.farthest()));
     };
     const auto sampled = [&](const Probability<float>& u) {
-      return cdf_of(sampler.sample_ordered_marginal(c, u));
+      return cdf_of(sampler.sample_marginal(c, u));
     };
     const auto sampled_double = [&](const Probability<double>& u) {
-      return cdf_of(sampler_double.sample_ordered_marginal(exact, u));
+      return cdf_of(sampler_double.sample_marginal(exact, u));
     };
     const double theta = std::atan2(w.s / slopes.mean_slope(), w.z) / kDegree;
-    const Row row{theta, marginal_column_inverse<double>, sampled, sampled_double,
-                  sampler.tables().marginal.in_double()};
-    return judge_row(row, index, sampler.tables().marginal.columns());
+    const QuantileTable& table = sampler.tables().marginal;
+    return judge_row(PairRow(sampled, sampled_double, table.in_double()),
+                     {theta, marginal_column_inverse<double>, table.columns()}, index);
   }
 
   TableErrors conditional_row(double x, std::size_t index) const {
@@ -174,8 +94,7 @@ struct Judge {
     const BoundedSlope<double> exact = bounded_from_sigma<double>(bounded.sigma);
     const SlopeTables& tables = sampler.tables();
     const ConditionalSlopes conditional(
-        slopes, exact.slope(),
-        {tables.conditional_constant, tables.conditional_quadratic, tables.support});
+        slopes, exact.slope(), {tables.conditional_constant, tables.conditional_quadratic});
     const auto cdf_of = [&](auto sign, auto v) {
       const double y = conditional_value_inverse(double{v}).slope();
       const double half = conditional.cdf(y).complement / 2;
@@ -190,103 +109,36 @@ struct Judge {
       return cdf_of(folded.sign, sampler_double.sample_conditional(exact, folded.p));
     };
     const double place = exact.slope() * slopes.mean_slope();
-    const Row row{place, conditional_u2, sampled, sampled_double, tables.conditional.in_double()};
-    return judge_row(row, index, sampler.tables().conditional.columns());
-  }
-
-  double d_error(double r) const {
-    const double length = std::hypot(1, r * slopes.mean_slope());
-    const Vec3<float> wm{static_cast<float>(-r * slopes.mean_slope() / length), 0,
-                         static_cast<float>(1 / length)};
-    const double exact = exact_d(wm), given = double{sampler.d(wm, {1, 1})};
-    return exact > 0 ? std::abs(given / exact - 1) : given;
-  }
-
-  double exact_d(const Vec3<float>& wm) const {
-    const double z = wm.z, mu = slopes.mean_slope();
-    const double radius = std::hypot(double{wm.x}, double{wm.y}) / (z * mu);
-    return slopes.p22(radius) / (mu * mu * z * z * z * z);
-  }
-
-  double exact_lambda(const Vec3<float>& w) const {
-    const double horizontal = slopes.mean_slope() * std::hypot(double{w.x}, double{w.y});
-    return horizontal * slopes.backfacing(w.z / horizontal).value / w.z;
-  }
-
-  double lambda_error(double theta) const {
-    const Vec3<float> w{static_cast<float>(std::sin(theta)), 0,
-                        static_cast<float>(std::cos(theta))};
-    const double exact = exact_lambda(w);
-    return std::abs(double{sampler.lambda(w, {1, 1})} - exact) / (1 + exact);
-  }
-
-  /// Relative to the density that the normal would have if it faced wi: near the edge of visibility
-  /// dot(wi, wm) has only absolute precision.
-  double pdf_error(double theta, float u1, float u2) const {
-    const Vec3<float> wi{static_cast<float>(std::sin(theta)), 0,
-                         static_cast<float>(std::cos(theta))};
-    const Vec3<float> wm = sampler.sample(wi, {1, 1}, u1, u2);
-    const double cosine = double{wi.x} * wm.x + double{wi.y} * wm.y + double{wi.z} * wm.z;
-    const double facing = exact_d(wm) / (wi.z * (1 + exact_lambda(wi)));
-    const double error = double{sampler.pdf(wi, wm, {1, 1})} - std::max(0.0, cosine) * facing;
-    return facing > 0 ? std::abs(error) / facing : std::abs(error);
+    return judge_row(PairRow(sampled, sampled_double, tables.conditional.in_double()),
+                     {place, conditional_u2, tables.conditional.columns()}, index);
   }
 };
 
 TableErrors judge_marginal(const Judge& judge, const Workers& workers) {
-  const RowAxis<double> rows(judge.sampler.tables().marginal_rows);
+  const RowAxis rows(judge.sampler.tables().marginal_rows);
   std::vector<Judge::Direction> directions;
-  for (const double row : off_grid_rows(judge.sampler.tables().marginal.rows(), kRows))
+  for (const double row : off_grid_rows(judge.sampler.tables().marginal.rows(), kJudgedRows))
     directions.push_back(Judge::direction(marginal_base_inverse(rows.base(row))));
-  for (const double degrees : {0.0, 1e-7, 1e-3, 0.2, 0.3, 89.9, 89.99, 89.999, 90.0})
+  for (const double degrees : kHardIncidences)
     directions.push_back(judge.direction(degrees * kDegree));
-  std::vector<TableErrors> judged(directions.size());
-  parallel_for(judged.size(), workers,
-               [&](std::size_t i) { judged[i] = judge.marginal_row(directions[i], i); });
-  return combine(judged);
+  return judge_rows(directions.size(), workers,
+                    [&](std::size_t i) { return judge.marginal_row(directions[i], i); });
 }
 
 TableErrors judge_conditional(const Judge& judge, const Workers& workers) {
   const SlopeTables& tables = judge.sampler.tables();
-  const RowAxis<double> rows(tables.conditional_rows);
+  const RowAxis rows(tables.conditional_rows);
   std::vector<double> reached;
-  for (const double row : off_grid_rows(tables.conditional.rows(), kRows)) {
-    const double x = conditional_base_inverse(rows.base(row), tables.conditional_unit);
-    // Given x = 0 a pole leaves no law, or one that none samples.
-    const bool centre = static_cast<float>(bounded_from_slope(x).sigma) == 0.5f;
-    if (centre && std::isinf(judge.slopes.p22(0))) continue;
-    if (judge.slopes.m(std::asinh(x)) > kSmallestTail &&
-        ConditionalSlopes::reachable(judge.slopes, x))
-      reached.push_back(x);
+  for (const double row : off_grid_rows(tables.conditional.rows(), kJudgedRows)) {
+    const double x = conditional_base_inverse(rows.base(row));
+    const auto sigma = static_cast<float>(bounded_from_slope(x).sigma);
+    if (judges_conditional(judge.slopes, x, sigma)) reached.push_back(x);
   }
-  std::vector<TableErrors> judged(reached.size());
-  parallel_for(judged.size(), workers,
-               [&](std::size_t i) { judged[i] = judge.conditional_row(reached[i], i); });
-  return combine(judged);
-}
-
-template <class F>
-double largest(std::size_t count, const Workers& workers, F error) {
-  std::vector<double> errors(count);
-  parallel_for(count, workers, [&](std::size_t i) { errors[i] = error(i); });
-  return *std::max_element(errors.begin(), errors.end());
+  return judge_rows(reached.size(), workers,
+                    [&](std::size_t i) { return judge.conditional_row(reached[i], i); });
 }
 
 }  // namespace
-
-TableErrors measure_marginal(const UnitSlopes& slopes,
-                             const std::shared_ptr<const SlopeTables>& tables,
-                             const Workers& workers) {
-  return judge_marginal({slopes, TabulatedSampler<float>(tables), TabulatedSampler<double>(tables)},
-                        workers);
-}
-
-TableErrors measure_conditional(const UnitSlopes& slopes,
-                                const std::shared_ptr<const SlopeTables>& tables,
-                                const Workers& workers) {
-  return judge_conditional(
-      {slopes, TabulatedSampler<float>(tables), TabulatedSampler<double>(tables)}, workers);
-}
 
 Certificate measure_certificate(const UnitSlopes& slopes,
                                 const std::shared_ptr<const SlopeTables>& tables,
@@ -295,20 +147,7 @@ Certificate measure_certificate(const UnitSlopes& slopes,
   Certificate certificate;
   certificate.marginal = judge_marginal(judge, workers);
   certificate.conditional = judge_conditional(judge, workers);
-
-  double farthest = 0;  // asinh of the radius
-  while (slopes.m(farthest) > kNdfTail && farthest < 16) farthest += 0.01;
-  certificate.max_d_error = largest(kCurvePoints, workers, [&](std::size_t k) {
-    const double root = golden(k);  // squared, the radii crowd where D may have a pole
-    return judge.d_error(std::sinh(farthest * root * root));
-  });
-  const auto theta = [](std::size_t k) { return std::numbers::pi / 2 * golden(k); };
-  certificate.max_lambda_error =
-      largest(kCurvePoints, workers, [&](std::size_t k) { return judge.lambda_error(theta(k)); });
-  certificate.max_pdf_error = largest(kCurvePoints, workers, [&](std::size_t k) {
-    const double u2 = golden(k * 7, 0.125);
-    return judge.pdf_error(theta(k), static_cast<float>(golden(k * 3)), static_cast<float>(u2));
-  });
+  FunctionErrors(slopes, judge.sampler).measure(certificate, workers);
   return certificate;
 }
 

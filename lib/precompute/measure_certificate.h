@@ -10,21 +10,19 @@
 #include "precompute/parallel.h"
 #include "precompute/unit_slopes.h"
 #include "vndf/certificate.h"
+#include "vndf/kernel.h"
 #include "vndf/slope_tables.h"
 
 namespace vndf::precompute {
 
-/// The errors of one table of the two, whatever the other is.
-TableErrors measure_marginal(const UnitSlopes& slopes,
-                             const std::shared_ptr<const SlopeTables>& tables,
-                             const Workers& workers);
-TableErrors measure_conditional(const UnitSlopes& slopes,
-                                const std::shared_ptr<const SlopeTables>& tables,
-                                const Workers& workers);
-
 /// The certificate of `tables`, which were made from `slopes` or claim to be of the same law.
 Certificate measure_certificate(const UnitSlopes& slopes,
                                 const std::shared_ptr<const SlopeTables>& tables,
+                                const Workers& workers);
+
+/// The same of baked tables, whose u ends at 2^-25 and 1 - 2^-24. The slopes x at which slope y is
+/// judged are such as samples land on.
+Certificate measure_certificate(const UnitSlopes& slopes, const Kernel& kernel,
                                 const Workers& workers);
 
 }  // namespace vndf::precompute

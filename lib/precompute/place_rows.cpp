@@ -18,6 +18,7 @@ constexpr double kEvenShare = 0.25;  // of the rows that are equidistant in any 
 constexpr double kWorthwhile = 3;    // gain below which rows stay equidistant ...
 constexpr double kEnough = 1.3;      // ... or this, where their error would exceed
 constexpr double kSmallError = 3e-6;
+constexpr double kRowsPerKnot = 2;  // at least
 
 struct Interval {
   double low, high, error;
@@ -125,8 +126,9 @@ std::vector<RowKnot> place_rows(const RowSource& source, std::size_t rows, const
   const bool worthwhile = gain > (even_error > kSmallError * per_row ? kEnough : kWorthwhile);
   if (!worthwhile && source.breaks.empty()) return evenly(source.end);
 
-  // Knots belong on rows: the map has a kink there, which a cell must not straddle. An interval of
-  // less than a row is joined to the next, but not across a break of the table.
+  // Knots belong on rows: the axis has a kink there, which a cell must not straddle. Intervals of
+  // less than two rows are joined, for shares are rounded to rows, but not across a break of the
+  // table. Where nothing is gained by crowding, rows are equidistant between the breaks.
   std::vector<RowKnot> knots{{0, 0}};
   const double last = static_cast<double>(rows - 1);
   double share = 0, row = 0;
@@ -134,7 +136,7 @@ std::vector<RowKnot> place_rows(const RowSource& source, std::size_t rows, const
     share += worthwhile ? adapted(i) : even(i);
     const bool at_break = is_break(source, i.high);
     const double rounded = std::min(std::round(share * last), last - 1);
-    if (rounded <= row && !at_break) continue;
+    if (!at_break && (!worthwhile || rounded < row + kRowsPerKnot)) continue;
     row = std::max(rounded, row + 1);
     knots.push_back({i.high, row / last});
   }

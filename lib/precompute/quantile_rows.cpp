@@ -16,72 +16,54 @@ namespace {
 // 1e-8; nearer to it r = sqrt(x^2 + y^2) would be rounded beyond R.
 constexpr double kLargestSlope = 1e8;
 constexpr double kInsideSupport = 1 - 1e-8;
-// A tail M ~ x^-kappa is stored at an order n with n kappa at least this: values then go to 0 no
-// faster than the fifth power of the column.
-constexpr double kSlowestDecay = 0.3;
-constexpr int kLargestOrder = 16;
-// Where less of the partial moment is left, no sample lands; or too few to tell.
-constexpr double kNoMass = 1e-60, kSmallMass = 1e-10;
+// Where less of the partial moment is left, no sample lands.
+constexpr double kNoMass = 1e-60;
 constexpr double kFarthestStep = 1e-3;
 
 using Probabilities = std::vector<Probability<double>>;
 
-BoundedSlope<double> ordered(double a, int order) {
-  return bounded_from_asinh(a / order);  // tau^(1/n) = exp(a / n)
-}
-
-std::vector<double> marginal_values(const UnitSlopes& slopes, const MarginalCoding& coding,
-                                    double base, const Probabilities& u) {
+std::vector<double> marginal_values(const UnitSlopes& slopes, const MonotoneMap& map, double base,
+                                    const Probabilities& u) {
   const VisibleSlopes visible(slopes, marginal_base_inverse(base));
   std::vector<double> values;
   double a = -1;
   for (const auto& p : u) {
     const double quantile = visible.quantile(p, a);
-    values.push_back(coding.value(quantile, visible.farthest()));
+    values.push_back(map.inverse(bounded_from_asinh(quantile).sigma));
     if (std::isfinite(quantile)) a = quantile;
   }
   return values;
 }
 
 /// Empty where no sample can land.
-std::vector<double> conditional_values(const UnitSlopes& slopes, const ConditionalCoding& coding,
-                                       double base, const Probabilities& p) {
+std::vector<double> conditional_values(const UnitSlopes& slopes,
+                                       const ConditionalScale<double>& scale, double base,
+                                       const Probabilities& p) {
   const double largest = std::min(kLargestSlope, slopes.support() * kInsideSupport);
-  const double x = std::min(conditional_base_inverse(base, coding.unit), largest);
+  const double x = std::min(conditional_base_inverse(base), largest);
   if (!ConditionalSlopes::reachable(slopes, x)) return {};
-  const ConditionalSlopes conditional(slopes, x, coding.scale);
+  const ConditionalSlopes conditional(slopes, x, scale);
   std::vector<double> values;
   for (const auto& at : p)
     values.push_back(conditional_value(bounded_from_slope(conditional.quantile(at))));
   return values;
 }
 
-/// asinh of the slope beyond which no more than `mass` is left of the partial moment; infinite for
-/// power tails, whose conditionals have a limit.
-double farthest_sampled(const UnitSlopes& slopes, double mass) {
+/// asinh of the slope beyond which no sample lands; infinite for power tails, whose conditionals
+/// have a limit.
+double farthest_sampled(const UnitSlopes& slopes) {
   if (std::isfinite(slopes.support())) return std::asinh(slopes.support());
   if (std::isfinite(slopes.tail_exponent())) return std::numeric_limits<double>::infinity();
   double a = 0;
-  while (slopes.m(a) > mass) a += kFarthestStep;
+  while (slopes.m(a) > kNoMass) a += kFarthestStep;
   return a;
 }
 
 }  // namespace
 
-double MarginalCoding::value(double a, double farthest) const {
-  const double sigma = ordered(a, order).sigma;
-  return map.identity() ? sigma / bounded_from_asinh(farthest).sigma : map.inverse(sigma);
-}
-
-int tail_order(const UnitSlopes& slopes) {
-  int order = 1;
-  while (order < kLargestOrder && order * slopes.tail_exponent() < kSlowestDecay) order *= 2;
-  return order;
-}
-
-RowSource marginal_rows(const UnitSlopes& slopes, const MarginalCoding& coding) {
-  RowSource source{[&slopes, &coding](double base, const Probabilities& u) {
-                     return marginal_values(slopes, coding, base, u);
+RowSource marginal_rows(const UnitSlopes& slopes, const MonotoneMap& map) {
+  RowSource source{[&slopes, &map](double base, const Probabilities& u) {
+                     return marginal_values(slopes, map, base, u);
                    },
                    marginal_column_inverse<double>};
   for (const double r : slopes.distribution().breaks())
@@ -90,19 +72,14 @@ RowSource marginal_rows(const UnitSlopes& slopes, const MarginalCoding& coding) 
   return source;
 }
 
-RowSource conditional_rows(const UnitSlopes& slopes, const ConditionalCoding& coding) {
-  RowSource source{[&slopes, &coding](double base, const Probabilities& p) {
-                     return conditional_values(slopes, coding, base, p);
+RowSource conditional_rows(const UnitSlopes& slopes, const ConditionalScale<double>& scale) {
+  RowSource source{[&slopes, &scale](double base, const Probabilities& p) {
+                     return conditional_values(slopes, scale, base, p);
                    },
                    conditional_column_inverse<double>};
-  const auto end = [&](double mass) {
-    return conditional_base(bounded_from_asinh(farthest_sampled(slopes, mass)), coding.unit);
-  };
-  source.even = true;  // |y| grows with p ~ t^2
-  source.end = end(kNoMass);
-  source.end_of_even_rows = end(kSmallMass);
+  source.end = conditional_base(bounded_from_asinh(farthest_sampled(slopes)));
   for (const double r : slopes.distribution().breaks()) {
-    const double base = conditional_base(bounded_from_slope(r / slopes.mean_slope()), coding.unit);
+    const double base = conditional_base(bounded_from_slope(r / slopes.mean_slope()));
     if (base < source.end) source.breaks.push_back(base);
   }
   return source;

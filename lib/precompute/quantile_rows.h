@@ -2,8 +2,6 @@
 // slope y given x, as the values that table_coordinates.h defines.
 #pragma once
 
-#include <vector>
-
 #include "precompute/fill_table.h"
 #include "precompute/unit_slopes.h"
 #include "vndf/monotone_map.h"
@@ -11,27 +9,9 @@
 
 namespace vndf::precompute {
 
-/// How the quantiles of a marginal table are kept.
-struct MarginalCoding {
-  int order = 1;
-  std::vector<CubicNode<double>> nodes = {};
-  MonotoneMap<double> map = MonotoneMap<double>(nodes);
-
-  /// Value of the slope sinh(a) in a row that ends at sinh(farthest).
-  double value(double a, double farthest) const;
-};
-
-/// How those of a conditional table are: the scale of y, and the unit of x on the axis of rows.
-struct ConditionalCoding {
-  ConditionalScale<double> scale = {};
-  double unit = 1;
-};
-
-/// Order n at which the tail of `slopes` is stored.
-int tail_order(const UnitSlopes& slopes);
-
-/// Both refer to their arguments, which must outlive them.
-RowSource marginal_rows(const UnitSlopes& slopes, const MarginalCoding& coding);
-RowSource conditional_rows(const UnitSlopes& slopes, const ConditionalCoding& coding);
+/// Both refer to their arguments, which must outlive them: `map` is that of marginal_map.h, `scale`
+/// the unit of the slopes y.
+RowSource marginal_rows(const UnitSlopes& slopes, const MonotoneMap& map);
+RowSource conditional_rows(const UnitSlopes& slopes, const ConditionalScale<double>& scale);
 
 }  // namespace vndf::precompute

@@ -23,7 +23,7 @@ class ConditionalLaw {
 
   /// Some 0.1 ms. `slopes` must outlive this object.
   ConditionalLaw(const precompute::UnitSlopes& slopes, double x)
-      : slopes_(slopes, std::abs(x), {.support = slopes.support()}),
+      : slopes_(slopes, std::abs(x), precompute::plain_scale(slopes)),
         bounded_(std::isfinite(slopes.support())) {}
 
   /// P(Y <= y) with its complement.

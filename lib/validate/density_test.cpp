@@ -16,6 +16,11 @@ constexpr const char* kStage = "density";
 constexpr std::size_t kNormals = 2000;     // sampled normals of each configuration
 constexpr std::size_t kDerivatives = 300;  // places of the map's derivative
 
+/// Whether the density of the map can be had.
+bool tells_density(const Subject& subject) {
+  return subject.sample_double || subject.map_density;
+}
+
 struct DensityErrors {
   Worst integral, pdf, d, lambda, g1, jacobian;
 };
@@ -29,7 +34,7 @@ class DensityJudge {
     judge_integral();
     judge_normals();
     judge_shadowing();
-    if (subject_.claims.map_at(c_) && subject_.sample_double) judge_derivative();
+    if (subject_.claims.map_at(c_)) judge_map_density();
     return errors_;
   }
 
@@ -78,21 +83,31 @@ class DensityJudge {
     return {s.x / s.w, s.y / s.w};
   }
 
-  /// 1 / |d(slope) / d(u1, u2)| by central differences against the pdf.
-  void judge_derivative() {
+  /// |d(slope) / d(u1, u2)| by central differences.
+  double determinant(const Pair& u) const {
+    const double h1 = 1e-4 * std::min(u.x, 1 - u.x), h2 = 1e-4 * std::min(u.y, 1 - u.y);
+    const auto [x1, y1] = slope(u.x - h1, u.y);
+    const auto [x2, y2] = slope(u.x + h1, u.y);
+    const auto [x3, y3] = slope(u.x, u.y - h2);
+    const auto [x4, y4] = slope(u.x, u.y + h2);
+    return std::abs(((x2 - x1) * (y4 - y3) - (y2 - y1) * (x4 - x3)) / (4 * h1 * h2));
+  }
+
+  /// The reciprocal of the map's density at `wm`, the normal at `u`: from the map, or as the
+  /// subject says.
+  double area(const Pair& u, const Vec3<double>& wm) const {
+    if (subject_.sample_double) return law_.frame().jacobian(wm) * determinant(u);
+    return 1 / subject_.map_density(c_, u);
+  }
+
+  void judge_map_density() {
+    if (!tells_density(subject_)) return;
     for (std::size_t k = 0; k < kDerivatives; ++k) {
       const Pair u = even_point(k);
-      const double h1 = 1e-4 * std::min(u.x, 1 - u.x), h2 = 1e-4 * std::min(u.y, 1 - u.y);
-      const auto [x1, y1] = slope(u.x - h1, u.y);
-      const auto [x2, y2] = slope(u.x + h1, u.y);
-      const auto [x3, y3] = slope(u.x, u.y - h2);
-      const auto [x4, y4] = slope(u.x, u.y + h2);
-      const double determinant = ((x2 - x1) * (y4 - y3) - (y2 - y1) * (x4 - x3)) / (4 * h1 * h2);
       const Vec3<double> wm = subject_.sample_one(c_, u.x, u.y);
       double pdf = 0;
       subject_.pdf(c_, {&wm, 1}, {&pdf, 1});
-      const double product = pdf * law_.frame().jacobian(wm) * std::abs(determinant);
-      errors_.jacobian.see(std::abs(product - 1), place_of(c_, u.x, u.y));
+      errors_.jacobian.see(std::abs(pdf * area(u, wm) - 1), place_of(c_, u.x, u.y));
     }
   }
 
@@ -127,7 +142,7 @@ std::vector<Finding> test_density(const Subject& subject, const precompute::Work
       all.lambda.finding(kStage, "Lambda", b.function_error)};
   if (subject.claims.law != NormalLaw::visible_v_cavity)
     findings.push_back(all.g1.finding(kStage, "G1", b.function_error));
-  if (subject.claims.inverse_map && subject.sample_double)
+  if (subject.claims.inverse_map && tells_density(subject))
     findings.push_back(all.jacobian.finding(kStage, "pdf times |Jacobian| - 1", b.density_error));
   return findings;
 }

@@ -37,6 +37,50 @@ double density_of(double u_error, std::size_t columns) {
   return kRows * 2 * std::numbers::pi * static_cast<double>(columns) * u_error;
 }
 
+/// Columns as wide as those of baked tables where u1 and u2 are from 1/4 to 3/4, in which half of
+/// the samples are: the keys of one octave of q divide 1/4 of u.
+std::size_t columns_of(const KernelHeader& header) {
+  return std::size_t{4} << (23 - header.marginal.shift);
+}
+
+/// Baked tables, which need not outlive it, in the shape of a sampler of either precision. All is
+/// computed in single precision; in double only what a BSDF makes of it.
+template <class T>
+class SharedKernel {
+ public:
+  static constexpr bool kVisible = true;
+
+  explicit SharedKernel(const KernelTables& tables) : tables_(tables), kernel_(tables.kernel()) {}
+
+  Vec3<T> sample(const Vec3<T>& wi, const Alpha<T>& alpha, T u1, T u2) const noexcept {
+    return vector_of<T>(kernel_.sample(vector_of<float>(wi), narrow(alpha), static_cast<float>(u1),
+                                       static_cast<float>(u2)));
+  }
+  T d(const Vec3<T>& wm, const Alpha<T>& alpha) const noexcept {
+    return T{kernel_.d(vector_of<float>(wm), narrow(alpha))};
+  }
+  T lambda(const Vec3<T>& w, const Alpha<T>& alpha) const noexcept {
+    return T{kernel_.lambda(vector_of<float>(w), narrow(alpha))};
+  }
+  T g1(const Vec3<T>& w, const Alpha<T>& alpha) const noexcept {
+    return T{kernel_.g1(vector_of<float>(w), narrow(alpha))};
+  }
+  T pdf(const Vec3<T>& wi, const Vec3<T>& wm, const Alpha<T>& alpha) const noexcept {
+    return T{kernel_.pdf(vector_of<float>(wi), vector_of<float>(wm), narrow(alpha))};
+  }
+  double map_density(const Vec3<T>& wi, const Alpha<T>& alpha, T u1, T u2) const noexcept {
+    return double{kernel_.sample_with_density(wi, alpha, u1, u2).pdf};
+  }
+
+ private:
+  static Alpha<float> narrow(const Alpha<T>& alpha) {
+    return {static_cast<float>(alpha.x), static_cast<float>(alpha.y)};
+  }
+
+  KernelTables tables_;
+  Kernel kernel_;
+};
+
 }  // namespace
 
 Bounds bounds_of(const Certificate& c, std::size_t columns) {
@@ -64,6 +108,20 @@ Subject tabulated_subject(std::string name, std::shared_ptr<const SlopeLaw> law,
                       TabulatedSampler<double>(tables),
                       {.law = NormalLaw::visible_smith, .inverse_map = true},
                       bounds_of(certificate, columns));
+}
+
+Subject kernel_subject(std::string name, std::shared_ptr<const SlopeLaw> law,
+                       const KernelTables& tables) {
+  const SharedKernel<float> kernel(tables);
+  Subject s = make_subject(std::move(name), std::move(law), kernel, SharedKernel<double>(tables),
+                           {.law = NormalLaw::visible_smith, .inverse_map = true},
+                           bounds_of(tables.certificate(), columns_of(tables.header())));
+  s.sample_double = {};  // no more exact than the other
+  s.map_density = [kernel](const Configuration& c, const Pair& u) {
+    return kernel.map_density(vector_of<float>(c.wi), alpha_of<float>(c.alpha),
+                              static_cast<float>(u.x), static_cast<float>(u.y));
+  };
+  return s;
 }
 
 }  // namespace vndf::validate

@@ -14,6 +14,7 @@
 #include "vndf/certificate.h"
 #include "vndf/conductor_brdf.h"
 #include "vndf/dielectric_bsdf.h"
+#include "vndf/kernel_tables.h"
 #include "vndf/masking.h"
 #include "vndf/normal_sampler.h"
 #include "vndf/slope_tables.h"
@@ -75,6 +76,9 @@ struct Subject {
   /// The same map in double precision; may be empty.
   std::function<void(const Configuration&, std::span<const Pair> u, std::span<Vec3<double>> wm)>
       sample_double;
+  /// The density of the map at a normal that is sampled, as the subject gives it with the normal,
+  /// where there is no map in double precision to differentiate; may be empty.
+  std::function<double(const Configuration&, const Pair& u)> map_density;
   std::function<void(const Configuration&, std::span<const Vec3<double>> wm, std::span<double> pdf)>
       pdf;
   std::function<void(const Alpha<double>&, std::span<const Vec3<double>> wm, std::span<double> d)>
@@ -211,5 +215,9 @@ Bounds bounds_of(const Certificate& certificate, std::size_t columns);
 Subject tabulated_subject(std::string name, std::shared_ptr<const SlopeLaw> law,
                           std::shared_ptr<const SlopeTables> tables,
                           const Certificate& certificate);
+
+/// Baked tables, which are shared, with the bounds of their own certificate.
+Subject kernel_subject(std::string name, std::shared_ptr<const SlopeLaw> law,
+                       const KernelTables& tables);
 
 }  // namespace vndf::validate

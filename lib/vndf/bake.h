@@ -10,8 +10,12 @@
 
 namespace vndf {
 
+/// The tolerances that bake() takes.
+inline constexpr double kLeastTolerance = 1e-6, kMostTolerance = 1e-2;
+
 struct BakeOptions {
-  /// Largest difference from the pair, in u, of either slope. From 1e-6 to 1e-2.
+  /// Largest difference from the pair, in u, of either slope, from kLeastTolerance to
+  /// kMostTolerance.
   double tolerance = 1e-5;
   /// Most bytes of guides and patches, which are what sampling reads. Within them the faster layout
   /// is taken: columns by q, or, where those do not fit, the smaller ones by its root.
@@ -25,9 +29,9 @@ class BakeError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The kernel's tables of `pair`. Its certificate is that of no measurement against the exact law
-/// but a bound: the differences from the pair alone. Throws BakeError, and std::invalid_argument
-/// for options outside their range or a pair that check() refuses.
+/// The kernel's tables of `pair`, with the differences from it in their header. They have no
+/// certificate yet, for the exact law is not known here. Throws BakeError, and
+/// std::invalid_argument for options outside their range or a pair that check() refuses.
 KernelTables bake(const SlopeTables& pair, const BakeOptions& options = {});
 
 }  // namespace vndf

@@ -40,25 +40,27 @@ class KernelDirection {
  public:
   /// Draws a normal as Kernel::sample() does.
   Vec3<float> sample(float u1, float u2) const noexcept {
-    return kernel::vndf_sample(*tables_, direction_, u1, u2);
+    return kernel::vndf_sample(tables_, direction_, u1, u2);
   }
   /// The normal of sample(), with the density of the map there (Kernel::sample_with_density()).
   KernelNormal sample_with_density(float u1, float u2) const noexcept {
-    const auto sampled = kernel::vndf_sample_with_density(*tables_, direction_, u1, u2);
+    const auto sampled = kernel::vndf_sample_with_density(tables_, direction_, u1, u2);
     return {sampled.wm, sampled.pdf};
   }
 
   const kernel::VndfDirection& direction() const { return direction_; }
-  /// Those of the kernel that it refers to.
-  const kernel::VndfTables& tables() const { return *tables_; }
+  /// Those of its kernel.
+  const kernel::VndfTables& tables() const { return tables_; }
 
  private:
   friend class Kernel;
   KernelDirection(const kernel::VndfTables& tables, const Vec3<float>& wi,
                   const Alpha<float>& alpha) noexcept
-      : tables_(&tables), direction_(kernel::vndf_at(tables, wi, alpha.x, alpha.y)) {}
 
-  const kernel::VndfTables* tables_;
+      : tables_(tables), direction_(kernel::vndf_at(tables, wi, alpha.x, alpha.y)) {}
+
+  // A copy, so that it stays in registers while normals are written.
+  kernel::VndfTables tables_;
   kernel::VndfDirection direction_;
 };
 
@@ -72,7 +74,7 @@ class Kernel {
   /// The view itself, for batches and for other devices.
   const kernel::VndfTables& tables() const { return tables_; }
 
-  /// Step 1: `wi` stretched. Refers to this kernel, which must live as long.
+  /// Step 1: `wi` stretched.
   KernelDirection at(const Vec3<float>& wi, const Alpha<float>& alpha) const noexcept {
     return {tables_, wi, alpha};
   }
@@ -83,7 +85,7 @@ class Kernel {
   /// -kKernelFacingSlack; (0, 0, 1) for an input outside its range.
   Vec3<float> sample(const Vec3<float>& wi, const Alpha<float>& alpha, float u1,
                      float u2) const noexcept {
-    return at(wi, alpha).sample(u1, u2);
+    return kernel::vndf_sample_towards(tables_, wi, alpha.x, alpha.y, u1, u2);
   }
 
   /// The normal of sample(), with the density of the map there: the reciprocal of its Jacobian. The

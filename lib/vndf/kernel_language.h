@@ -28,6 +28,14 @@
 #define VNDF_FUNCTION inline
 #endif
 
+/// A function that is called, not put in place, so that it does not take registers from what is
+/// beside it.
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define VNDF_APART_FUNCTION [[gnu::noinline]] inline
+#else
+#define VNDF_APART_FUNCTION VNDF_FUNCTION
+#endif
+
 /// A function that is seldom called and must not make its callers larger.
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define VNDF_COLD_FUNCTION [[gnu::noinline, gnu::cold]] inline
@@ -117,6 +125,10 @@ VNDF_FUNCTION uint bits_of(float a) {
 }
 VNDF_FUNCTION float float_of(uint a) {
   return std::bit_cast<float>(a);
+}
+
+VNDF_FUNCTION float magnitude(float a) {
+  return std::fabs(a);
 }
 
 // Each returns its second argument where one of the two is no number.

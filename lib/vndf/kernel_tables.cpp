@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <new>
@@ -67,7 +68,6 @@ class Checker {
 
   void check_numbers() const {
     const KernelHeader& h = header();
-    const auto positive = [](float x) { return x > 0 && std::isfinite(x); };
     require(positive(h.unit), "the unit of slopes is not a finite number > 0");
     require(h.scale_root >= 0 && h.scale_constant >= 0 && h.rim >= 0 &&
                 std::isfinite(h.scale_root + h.scale_constant + h.rim) &&
@@ -75,8 +75,7 @@ class Checker {
             "the scale of slope y is not a finite number > 0");
     require(h.least_root > 0 && h.least_root < h.most_root && h.most_root < 1,
             "the bounds of the root of sigma are not inside (0, 1)");
-    require(positive(h.direction_offset) && positive(h.slope_offset) && h.direction_offset < 1 &&
-                h.slope_offset < 1,
+    require(positive(h.direction_offset) && h.direction_offset < 1,
             "the offset of an axis is not inside (0, 1)");
     require(h.column_roots <= 1 && h.separable <= 1, "a choice that is neither 0 nor 1");
     require(h.column_roots == 0 || (h.column_offset > 0 && h.column_offset < 1),
@@ -85,28 +84,74 @@ class Checker {
 
   void check_sampling() const {
     const KernelHeader& h = header();
-    const float low = h.column_roots != 0 ? h.column_offset : kernel::kVndfLeastU;
+    // The root of twice the least u is 2^-12.
+    const float low = h.column_roots != 0 ? h.column_offset + 0x1p-12f : kernel::kVndfLeastU;
     const float high = h.column_roots != 0 ? 1 + h.column_offset : 0.5f;
     const std::uint32_t upper = h.column_upper - kernel::kVndfSign;
-    require(h.column_upper >= kernel::kVndfSign && (upper & 0x7fffff) == 0 && upper >= 0x800000 &&
-                upper <= 0x20000000,
-            "the halves of u1 are not a power of two apart");
+    require_apart(upper);
     require_keys(h.direction, key(h.direction_offset, h.direction),
                  key(1 + h.direction_offset, h.direction));
     require_keys(h.marginal, key(low, h.marginal), key(high, h.marginal));
-    require_keys(h.marginal,
-                 key(std::bit_cast<float>(std::bit_cast<std::uint32_t>(low) + upper), h.marginal),
-                 key(std::bit_cast<float>(std::bit_cast<std::uint32_t>(high) + upper), h.marginal));
-    require_keys(h.conditional, key(low, h.conditional), key(high, h.conditional));
+    require_keys(h.marginal, key(raised(low, upper), h.marginal),
+                 key(raised(high, upper), h.marginal));
+    check_second_columns(low, high);
     require(h.marginal.shift == h.conditional.shift, "the columns of the tables differ in shift");
     const std::size_t patch = h.separable != 0 ? kCubicBytes : kPatchBytes;
     std::size_t row = 0;
     if (h.separable == 0) {
-      require_keys(h.slope, key(h.slope_offset, h.slope), key(0.5f + h.slope_offset, h.slope));
-      row = largest_offset(h.slope);
+      row = check_slopes();
     }
     require_inside(largest_offset(h.marginal) + largest_offset(h.direction) + kPatchBytes);
     require_inside(largest_offset(h.conditional) + row + patch);
+  }
+
+  void check_second_columns(float low, float high) const {
+    const KernelHeader& h = header();
+    if (h.separable != 0)
+      return require_keys(h.conditional, key(low, h.conditional), key(high, h.conditional));
+    const float middle = h.column_span / 2;
+    require(middle > low && middle < high, "the middle of the columns is not between their ends");
+    require_apart(h.column_mirror);
+    for (const std::uint32_t mirrored : {0u, h.column_mirror})
+      require_keys(h.conditional, key(raised(low, mirrored), h.conditional),
+                   key(raised(middle, mirrored), h.conditional));
+  }
+
+  /// What is added to the bits of a place to make it some power of two larger.
+  static void require_apart(std::uint32_t added) {
+    require((added & 0x7fffff) == 0 && added >= 0x800000 && added <= 0x20000000,
+            "the halves of an axis are not a power of two apart");
+  }
+
+  /// The largest distance of a row of patches from the first.
+  std::size_t check_slopes() const {
+    const KernelHeader& h = header();
+    require(h.slope_middle > 0 && h.slope_middle < 1, "the middle of the slopes is not in (0, 1)");
+    require(positive(h.slope_offset) && positive(h.slope_most) && h.slope_offset < h.slope_most &&
+                h.slope_most < 1,
+            "the axis of slopes has no length");
+    require(
+        (h.slope_upper & 0x7fffff) == 0 && h.slope_upper >= 0x800000 && h.slope_upper <= 0x20000000,
+        "the halves of the slopes are not a power of two apart");
+    KernelAxis pairs = h.slope;  // as an axis with twice the entries
+    require(pairs.count <= kMostBytes / (2 * kGuideBytes), "a guide does not cover its axis");
+    for (const std::uint32_t half : {0u, h.slope_upper})
+      require_keys(h.slope, key(raised(h.slope_offset, half), h.slope),
+                   key(raised(h.slope_most, half), h.slope));
+    pairs.count *= 2;
+    require_inside(std::size_t{pairs.guide} + std::size_t{pairs.count} * kGuideBytes);
+    std::size_t map = 0, row = 0;
+    for (std::uint32_t k = 0; k < pairs.count; ++k) {
+      const std::size_t offset = offset_at(pairs, k);
+      (k % 2 == 0 ? map : row) = std::max(k % 2 == 0 ? map : row, offset);
+    }
+    require_inside(map + kCubicBytes);
+    return row;
+  }
+
+  /// A place with `bits` added to it.
+  static float raised(float place, std::uint32_t bits) {
+    return std::bit_cast<float>(std::bit_cast<std::uint32_t>(place) + bits);
   }
 
   void check_curve(const kernel::VndfCurve& curve) const {
@@ -127,6 +172,8 @@ class Checker {
     }
   }
 
+  static bool positive(float x) { return x > 0 && std::isfinite(x); }
+
   static std::uint32_t key(float place, const KernelAxis& axis) {
     require(axis.shift < 32, "an axis is shifted by more than a number has bits");
     return std::bit_cast<std::uint32_t>(place) >> axis.shift;
@@ -143,14 +190,16 @@ class Checker {
   /// Of the entries of a guide that is inside the block.
   std::size_t largest_offset(const KernelAxis& axis) const {
     std::size_t largest = 0;
-    for (std::uint32_t k = 0; k < axis.count; ++k) {
-      kernel::Guide entry;
-      std::memcpy(&entry, bytes_.data() + axis.guide + k * kGuideBytes, sizeof entry);
-      require(std::isfinite(entry.start) && entry.offset % kCubicBytes == 0,
-              "an entry of a guide is no place or not aligned");
-      largest = std::max(largest, std::size_t{entry.offset});
-    }
+    for (std::uint32_t k = 0; k < axis.count; ++k) largest = std::max(largest, offset_at(axis, k));
     return largest;
+  }
+
+  std::size_t offset_at(const KernelAxis& axis, std::size_t k) const {
+    kernel::Guide entry;
+    std::memcpy(&entry, bytes_.data() + axis.guide + k * kGuideBytes, sizeof entry);
+    require(std::isfinite(entry.start) && entry.offset % kCubicBytes == 0,
+            "an entry of a guide is no place or not aligned");
+    return entry.offset;
   }
 
   void require_inside(std::size_t end) const {
@@ -169,6 +218,21 @@ struct AlignedDelete {
 std::shared_ptr<std::byte> aligned_bytes(std::size_t count) {
   auto* p = static_cast<std::byte*>(::operator new (count, std::align_val_t{kKernelAlignment}));
   return {p, AlignedDelete()};
+}
+
+/// Changes the header of a block and its checksum with it.
+template <class Change>
+void change_header(std::span<std::byte> block, Change change) {
+  auto* header = reinterpret_cast<KernelHeader*>(block.data());
+  change(*header);
+  header->checksum = kernel_checksum(block);
+}
+
+/// The leading digits of a small number.
+std::string digits_of(double number) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g", number);
+  return text.data();
 }
 
 std::string joined(const KernelText& text) {
@@ -260,39 +324,66 @@ Kernel KernelTables::kernel() const {
   t.least_root = h.least_root;
   t.most_root = h.most_root;
   t.direction_offset = h.direction_offset;
+  t.slope_middle = h.slope_middle;
   t.slope_offset = h.slope_offset;
+  t.slope_most = h.slope_most;
   t.direction_guide = guide(h.direction);
   t.direction_shift = h.direction.shift;
   t.column_shift = h.marginal.shift;
   t.column_upper = h.column_upper;
   t.column_roots = h.column_roots;
   t.column_offset = h.column_offset;
+  t.column_span = h.column_span;
+  t.column_mirror = h.column_mirror;
   t.marginal_guide = guide(h.marginal);
   t.conditional_guide = guide(h.conditional);
-  t.slope_guide = guide(h.slope);
+  t.slope_guide = h.slope.guide - (h.slope.first_key << 4);
+  t.slope_upper = h.slope_upper;
   t.slope_shift = h.slope.shift;
   t.separable = h.separable;
+  const bool plain = h.separable != 0 && h.rim == 0 && h.column_roots == 0;
+  t.kind = plain ? kernel::kVndfPlain : kernel::kVndfAny;
   t.ndf = h.ndf;
   t.backfacing = h.backfacing;
   t.block.bytes = reinterpret_cast<const unsigned char*>(bytes_.data());
   return Kernel(t);
 }
 
-KernelTables KernelTables::with(const Certificate& certificate, const KernelText& text) const {
+KernelTables KernelTables::with_text(const KernelText& text) const {
   const std::string texts = joined(text);
   const std::size_t size = header().text + texts.size();
   const auto owner = aligned_bytes(size);
   std::copy_n(bytes_.begin(), header().text, owner.get());
   std::memcpy(owner.get() + header().text, texts.data(), texts.size());
-  auto* h = reinterpret_cast<KernelHeader*>(owner.get());
-  h->bytes = size;
-  h->text_bytes = static_cast<std::uint32_t>(texts.size());
-  h->certified = 1;
-  std::size_t k = 0;
-  for_each_figure(certificate,
-                  [&](const std::string&, double figure) { h->certificate[k++] = figure; });
-  const std::span<const std::byte> own(owner.get(), size);
-  h->checksum = kernel_checksum(own);
+  const std::span<std::byte> own(owner.get(), size);
+  change_header(own, [&](KernelHeader& h) {
+    h.bytes = size;
+    h.text_bytes = static_cast<std::uint32_t>(texts.size());
+  });
+  return {owner, own};
+}
+
+KernelTables KernelTables::with_certificate(const Certificate& certificate) const {
+  const auto owner = aligned_bytes(bytes_.size());
+  std::copy(bytes_.begin(), bytes_.end(), owner.get());
+  const std::span<std::byte> own(owner.get(), bytes_.size());
+  change_header(own, [&](KernelHeader& h) {
+    h.certified = 1;
+    std::size_t k = 0;
+    for_each_figure(certificate,
+                    [&](const std::string&, double figure) { h.certificate[k++] = figure; });
+  });
+  return {owner, own};
+}
+
+KernelTables KernelTables::with_differences(double x, double y) const {
+  const auto owner = aligned_bytes(bytes_.size());
+  std::copy(bytes_.begin(), bytes_.end(), owner.get());
+  const std::span<std::byte> own(owner.get(), bytes_.size());
+  change_header(own, [&](KernelHeader& h) {
+    h.difference_x = x;
+    h.difference_y = y;
+  });
   return {owner, own};
 }
 
@@ -319,8 +410,8 @@ KernelTables load(const std::filesystem::path& path, const LoadOptions& options)
     const Certificate c = tables.certificate();
     const double u_error = std::max(c.marginal.max_u_error, c.conditional.max_u_error);
     if (!(u_error <= options.max_u_error))
-      fail_with("its certificate admits a u-error of " + std::to_string(u_error) + ", above " +
-                std::to_string(options.max_u_error) + "; bake it with a smaller --tolerance");
+      fail_with("its certificate admits a u-error of " + digits_of(u_error) + ", above " +
+                digits_of(options.max_u_error) + "; bake it with a smaller --tolerance");
     return tables;
   } catch (const KernelTablesError& e) {
     const std::string what = e.what();

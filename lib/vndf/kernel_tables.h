@@ -49,15 +49,17 @@ struct KernelHeader {
   std::uint64_t bytes;           ///< of the whole block
   std::uint64_t checksum;        ///< kernel_checksum() of all bytes but these eight
   std::uint64_t sampling_bytes;  ///< of the guides and patches, which sampling reads
-  KernelAxis direction, marginal, conditional, slope;
+  KernelAxis direction, marginal, conditional;
+  KernelAxis slope;  ///< its guide has two entries for each key
   float unit, scale_root, scale_constant, rim;
-  float least_root, most_root, direction_offset, slope_offset, column_offset;
-  std::uint32_t column_upper, column_roots, separable;
+  float least_root, most_root, direction_offset, slope_middle, slope_offset, slope_most,
+      column_offset, column_span;
+  std::uint32_t column_upper, column_mirror, column_roots, slope_upper, separable;
   kernel::VndfCurve ndf, backfacing;
   std::uint32_t text, text_bytes;  ///< distribution, recipe, program, input checksum, notes, each
                                    ///< with a 0 after it
   std::uint32_t certified;         ///< 1 where the certificate was measured against the exact law
-  std::uint32_t reserved[3];
+  std::uint32_t reserved[1];
   double tolerance;                   ///< that it was baked for
   double difference_x, difference_y;  ///< largest differences in u from the pair
   std::array<double, 25> certificate;
@@ -103,8 +105,15 @@ class KernelTables {
   /// The sampler. It refers to the bytes and does not own them.
   Kernel kernel() const;
 
-  /// The same tables with another certificate, measured against the exact law, and other texts.
-  KernelTables with(const Certificate& certificate, const KernelText& text) const;
+  /// The same tables with a certificate, measured against the exact law; with the largest
+  /// differences from their pair; with other texts.
+  KernelTables with_certificate(const Certificate& certificate) const;
+  KernelTables with_differences(double x, double y) const;
+  KernelTables with_text(const KernelText& text) const;
+  /// The first two at once.
+  KernelTables with(const Certificate& certificate, const KernelText& text) const {
+    return with_certificate(certificate).with_text(text);
+  }
 
  private:
   KernelTables(std::shared_ptr<const std::byte> owner, std::span<const std::byte> bytes)

@@ -20,13 +20,19 @@
 //               apart, q = min(u1, 1 - u1): both ends are seen in full relative precision. Where
 //               tables are to be small p = sqrt(2 q) + an offset instead, in which x is smooth
 //               towards c
-//   u2          p, for the law is symmetric; slope_y has the sign of u2 - 1/2
+//   u2          p, for the law is symmetric; slope_y has the sign of u2 - 1/2. Where rows of y are
+//               needed too, p and its mirror in the middle of the axis, again a power of two apart:
+//               hollow and pointed laws are steep at u2 = 1/2
 //   slope x     |sigma - 1/2| + offset
 //
-// A cell of the marginal is a patch of 4 x 4 coefficients, cubic in u1 and in g, of the root of
-// sigma, which bends less than sigma where the tail is heavy and as much where it is not; one of
-// the conditional is a cubic in q of -|y| over a scale, or a patch in q and in x. In memory the
-// four coefficients of a cubic are (c0, c2, c1, c3).
+//   s           s + an offset
+//
+// Where slope y over its scale does not depend on x, as for Beckmann, Student-T and GGX, the law is
+// smooth: a cell of the marginal is a patch of 4 x 4 coefficients, cubic in u1 and in g, of the
+// root of sigma, which bends less than sigma where the tail is heavy; and one of the conditional is
+// a cubic in q of -|y| over the scale. Of any other law the marginal is a patch of s, in which it
+// is smooth too, from which a cubic, the pair's map, makes the root; and the conditional is a patch
+// in q and in x. In memory the four coefficients of a cubic are (c0, c2, c1, c3).
 
 struct VndfCurve {
   uint segments, count;  ///< where they are, each of two fetches, and how many
@@ -39,14 +45,20 @@ struct VndfTables {
   float scale_constant;  ///< sqrt(rim^2 - x^2) where the rim is not 0
   float rim;
   float least_root, most_root;  ///< of sigma, so that no normal is horizontal
-  float direction_offset, slope_offset;
+  float direction_offset;
+  float slope_middle;              ///< s of x = 0
+  float slope_offset, slope_most;  ///< least and largest p on the axis of slopes
   uint direction_guide, direction_shift;
   uint column_shift;
   uint column_upper;  ///< what is added to the bits of -p for u1 above one half
   uint column_roots;  ///< 1 where p is a root, 0 where it is q
   float column_offset;
+  float column_span;   ///< what p of u2 and its mirror add up to
+  uint column_mirror;  ///< what is added to the bits of a mirrored p
   uint marginal_guide, conditional_guide;
-  uint slope_guide, slope_shift;
+  uint slope_guide, slope_shift;  ///< with two entries a key: of the map, and of rows of y
+  uint slope_upper;               ///< what is added to the bits of p for s above one half
+  uint kind;                      ///< kVndfPlain or kVndfAny
   uint separable;  ///< 1 where y over its scale does not depend on x, 0 where it has rows in x
   VndfCurve ndf, backfacing;
   Block block;
@@ -63,12 +75,13 @@ struct VndfDirection {
 
 /// The cubics of one sample and what they gave.
 struct VndfDraw {
-  float4 marginal, conditional;
-  float4 f;       ///< place in the cells: of u1 twice, of q twice
-  uint4 upper;    ///< all bits where u is above one half, likewise
-  float4 places;  ///< of u1 on the axis of columns, a power of two apart above one half; of q
-  float root;     ///< of sigma, which stands for slope x
-  float v;        ///< slope y over its scale
+  float4 marginal, map, conditional;
+  float s, map_f;  ///< what the map is of, and the place in its cell
+  float4 f;        ///< place in the cells: of u1 twice, of q twice
+  uint4 upper;     ///< all bits where u is above one half, likewise
+  float4 places;   ///< of u1 on the axis of columns, a power of two apart above one half; of q
+  float root;      ///< of sigma, which stands for slope x
+  float v;         ///< slope y over its scale
 };
 
 const float kVndfLeastU = 2.98023224e-8f;  // 2^-25
@@ -78,7 +91,11 @@ const float kVndfShortest = 1e-12f;
 const float kVndfLongest = 1e12f;
 const float kVndfLeast = 1.17549435e-38f;    // of the numbers that keep their digits
 const float kVndfLargest = 3.402823466e38f;  // a density where many u give one normal
-const float kVndfFarthest = 1.15292150e18f;  // 2^60: slopes beyond it are taken for it
+const float kVndfFarthest = 1.26765060e30f;  // 2^100: slopes beyond it are taken for it
+// What is known of tables when a sampler is compiled: that they are separable, without a rim, and
+// their columns by q; or nothing, which is right for all.
+const uint kVndfPlain = 0u;
+const uint kVndfAny = 1u;
 const uint kVndfSign = 0x80000000u;
 
 /// Whether a is in [low, high), two positive numbers; one comparison of bits, in which what is no
@@ -114,6 +131,11 @@ VNDF_FUNCTION float4 vndf_values(float4 a, float4 b, float4 f) {
   return even + (f * f) * odd_lanes(even);
 }
 
+/// One cubic.
+VNDF_FUNCTION float vndf_value(float4 a, float f) {
+  return vndf_values(a, a, make4(f, f, f, f))[0];
+}
+
 /// The derivative of a cubic at f.
 VNDF_FUNCTION float vndf_rate(float4 a, float f) {
   return a[2] + f * (2.0f * a[1] + f * (3.0f * a[3]));
@@ -132,7 +154,8 @@ VNDF_COLD_FUNCTION float4 vndf_stretched_unusual(float x, float y, float z, floa
   float h = square_root(a * a + b * b);
   float most = 1e9f;
   if (!valid) return make4(1.0f, 0.0f, 0.0f, float_of(0x7fc00000u));
-  return make4(a / h, b / h, smaller(z / (size * h), most), alpha);
+  float cotangent = size > 0.0f ? smaller(z / (size * h), most) : most;
+  return make4(a / h, b / h, cotangent, alpha);
 }
 
 VNDF_FUNCTION VndfDirection vndf_at(VNDF_IN(VndfTables) t, vec3 wi, float alpha_x, float alpha_y) {
@@ -167,9 +190,11 @@ VNDF_FUNCTION float vndf_between(VNDF_IN(VndfTables) t, float root) {
   return smaller(larger(root, t.least_root), t.most_root);
 }
 
-VNDF_FUNCTION VndfCell vndf_slope_row(VNDF_IN(VndfTables) t, float root) {
-  float m = root * root - 0.5f;
-  return vndf_cell(t, t.slope_guide, t.slope_shift, larger(m, -m) + t.slope_offset);
+/// The place of s on the axis of slopes.
+VNDF_FUNCTION float vndf_slope_place(VNDF_IN(VndfTables) t, float s) {
+  float w = t.slope_middle - s;
+  float p = smaller(magnitude(w) + t.slope_offset, t.slope_most);
+  return float_of(bits_of(p) + ((0u - (bits_of(w) >> 31)) & t.slope_upper));
 }
 
 /// p with the sign of q.
@@ -180,8 +205,20 @@ VNDF_FUNCTION float4 vndf_root_columns(VNDF_IN(VndfTables) t, float4 q) {
   return floats_of(bits_of(roots + offset) ^ signs);
 }
 
-VNDF_FUNCTION VndfDraw vndf_draw(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) d, float u1,
-                                 float u2) {
+/// The places of u2 mirrored beyond the middle; those of u1 are left as they are.
+VNDF_FUNCTION uint4 vndf_mirrored(VNDF_IN(VndfTables) t, float4 places) {
+  float4 span = make4(kVndfLargest, kVndfLargest, t.column_span, t.column_span);
+  float4 mirror = span - places;
+  uint4 added = make_uint4(0u, 0u, t.column_mirror, t.column_mirror);
+  return bits_of(smaller(places, mirror)) + (sign_mask(mirror - places) & added);
+}
+
+VNDF_FUNCTION bool vndf_separable(VNDF_IN(VndfTables) t, uint kind) {
+  return kind == kVndfPlain || (kind == kVndfAny && t.separable != 0u);
+}
+
+VNDF_FUNCTION VndfDraw vndf_draw_as(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) d, float u1,
+                                    float u2, uint kind) {
   VndfDraw draw;
   // Adding and taking away 1.5 x 2^23 rounds to a whole number: q = u below one half, u - 1 above.
   float4 whole = make4(12582912.0f, 12582912.0f, 12582912.0f, 12582912.0f);
@@ -190,24 +227,30 @@ VNDF_FUNCTION VndfDraw vndf_draw(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) d
   float4 u = smaller(larger(make4(u1, u1, u2, u2), least), most);
   float4 q = u - ((u + whole) - whole);
   draw.upper = sign_mask(q);
-  if (t.column_roots != 0u) q = vndf_root_columns(t, q);
+  if (kind == kVndfAny && t.column_roots != 0u) q = vndf_root_columns(t, q);
   uint4 halves = make_uint4(t.column_upper, t.column_upper, kVndfSign, kVndfSign);
   uint4 places = bits_of(q) + (draw.upper & halves);
+  if (!vndf_separable(t, kind)) places = vndf_mirrored(t, floats_of(places));
+  draw.places = floats_of(places);
   uint4 keys = places >> t.column_shift;
   Guide column1 = fetch_guide(t.block, t.marginal_guide + (keys[0] << 3));
   Guide column2 = fetch_guide(t.block, t.conditional_guide + (keys[2] << 3));
-  draw.places = floats_of(places);
   draw.f = draw.places - make4(column1.start, column1.start, column2.start, column2.start);
   draw.marginal = vndf_blend(t, column1.offset + d.row, d.g);
   float4 values;
-  if (t.separable != 0u) {
+  if (vndf_separable(t, kind)) {
     draw.conditional = fetch4(t.block, column2.offset, 0u);
     values = vndf_values(draw.marginal, draw.conditional, draw.f);
     draw.root = vndf_between(t, values[0]);
   } else {
-    draw.root = vndf_between(t, vndf_values(draw.marginal, draw.marginal, draw.f)[0]);
-    VndfCell row = vndf_slope_row(t, draw.root);
-    draw.conditional = vndf_blend(t, column2.offset + row.offset, row.f);
+    draw.s = vndf_values(draw.marginal, draw.marginal, draw.f)[0];
+    float place = vndf_slope_place(t, draw.s);
+    uint entry = t.slope_guide + ((bits_of(place) >> t.slope_shift) << 4);
+    Guide map = fetch_guide(t.block, entry), row = fetch_guide(t.block, entry + 8u);
+    draw.map = fetch4(t.block, map.offset, 0u);
+    draw.map_f = place - map.start;
+    draw.root = vndf_between(t, vndf_value(draw.map, draw.map_f));
+    draw.conditional = vndf_blend(t, column2.offset + row.offset, place - row.start);
     values = vndf_values(draw.marginal, draw.conditional, draw.f);
   }
   uint4 signs = draw.upper & make_uint4(0u, 0u, kVndfSign, kVndfSign);
@@ -216,23 +259,32 @@ VNDF_FUNCTION VndfDraw vndf_draw(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) d
 }
 
 /// The scale of slope y, times d.
-VNDF_FUNCTION float vndf_scale(VNDF_IN(VndfTables) t, float sigma, float d) {
-  if (t.rim > 0.0f) {
+VNDF_FUNCTION float vndf_scale_as(VNDF_IN(VndfTables) t, float sigma, float d, uint kind) {
+  if (kind == kVndfAny && t.rim > 0.0f) {
     float m = sigma - 0.5f, edge = t.rim * d;
     return square_root(larger((edge - m) * (edge + m), 0.0f));
   }
   return t.scale_root * (0.5f - d) + t.scale_constant * d;
 }
 
+/// The same for any tables.
+VNDF_FUNCTION VndfDraw vndf_draw(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) d, float u1,
+                                 float u2) {
+  return vndf_draw_as(t, d, u1, u2, kVndfAny);
+}
+VNDF_FUNCTION float vndf_scale(VNDF_IN(VndfTables) t, float sigma, float d) {
+  return vndf_scale_as(t, sigma, d, kVndfAny);
+}
+
 // 3. rotate, 4. unstretch, 5. compute the normal
 
 /// The normal of a draw, of any length: its component along z is d h^2.
 VNDF_FUNCTION vec3 vndf_unstretched(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w, float sigma,
-                                    float v) {
+                                    float v, uint kind) {
   float d = sigma * (1.0f - sigma);
   // Minus slope x, which is at most the cotangent z / h.
   float x = larger((0.5f - sigma) * w.hu, -(d * w.z));
-  float y = vndf_scale(t, sigma, d) * v * w.hu;
+  float y = vndf_scale_as(t, sigma, d, kind) * v * w.hu;
   return make3(w.alpha_x * (w.x * x + w.y * y), w.alpha_y * (w.y * x - w.x * y), d * w.h2);
 }
 
@@ -243,10 +295,37 @@ VNDF_FUNCTION vec3 vndf_unit_or_up(vec3 m) {
   return make3(m.x * scale, m.y * scale, m.z * scale);
 }
 
+VNDF_FUNCTION vec3 vndf_sample_as(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w, float u1,
+                                  float u2, uint kind) {
+  VndfDraw draw = vndf_draw_as(t, w, u1, u2, kind);
+  return vndf_unit_or_up(vndf_unstretched(t, w, draw.root * draw.root, draw.v, kind));
+}
+
+// Only the plain sampler is put in place: beside the other it would run short of registers.
+
+VNDF_APART_FUNCTION vec3 vndf_sample_any(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w, float u1,
+                                         float u2) {
+  return vndf_sample_as(t, w, u1, u2, kVndfAny);
+}
+
+/// A normal for a direction that is prepared.
 VNDF_FUNCTION vec3 vndf_sample(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w, float u1,
                                float u2) {
-  VndfDraw draw = vndf_draw(t, w, u1, u2);
-  return vndf_unit_or_up(vndf_unstretched(t, w, draw.root * draw.root, draw.v));
+  if (t.kind == kVndfPlain) return vndf_sample_as(t, w, u1, u2, kVndfPlain);
+  return vndf_sample_any(t, w, u1, u2);
+}
+
+VNDF_APART_FUNCTION vec3 vndf_sample_towards_any(VNDF_IN(VndfTables) t, VNDF_IN(vec3) wi,
+                                                 float alpha_x, float alpha_y, float u1, float u2) {
+  return vndf_sample_as(t, vndf_at(t, wi, alpha_x, alpha_y), u1, u2, kVndfAny);
+}
+
+/// A normal for a direction that is not.
+VNDF_FUNCTION vec3 vndf_sample_towards(VNDF_IN(VndfTables) t, VNDF_IN(vec3) wi, float alpha_x,
+                                       float alpha_y, float u1, float u2) {
+  if (t.kind == kVndfPlain)
+    return vndf_sample_as(t, vndf_at(t, wi, alpha_x, alpha_y), u1, u2, kVndfPlain);
+  return vndf_sample_towards_any(t, wi, alpha_x, alpha_y, u1, u2);
 }
 
 // The density of the map: the reciprocal of its Jacobian. Slope x depends on u1 alone, so that the
@@ -257,8 +336,12 @@ VNDF_FUNCTION float vndf_column_rate(VNDF_IN(VndfTables) t, float p) {
   return t.column_roots != 0u ? 1.0f / (p - t.column_offset) : 1.0f;
 }
 
-VNDF_FUNCTION float vndf_magnitude(float a) {
-  return larger(a, -a);
+/// |d place / dq| of u2.
+VNDF_FUNCTION float vndf_second_rate(VNDF_IN(VndfTables) t, float place) {
+  float far = float_of(0x3f800000u + t.column_mirror);
+  bool mirrored = t.separable == 0u && place > 0.5f * t.column_span;
+  if (!mirrored) return vndf_column_rate(t, place);
+  return far * vndf_column_rate(t, t.column_span - place / far);
 }
 
 /// Of the normal `m` of the draw, before it is made a unit vector.
@@ -269,10 +352,15 @@ VNDF_FUNCTION float vndf_draw_density(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirecti
   bool clamped = draw.root == t.least_root || draw.root == t.most_root;
   // The power of two by which the places of u1 above one half are larger.
   float apart = draw.upper[0] != 0u ? float_of(0x3f800000u + (t.column_upper - kVndfSign)) : 1.0f;
-  float dsigma = 2.0f * draw.root * vndf_magnitude(vndf_rate(draw.marginal, draw.f[0])) * apart *
-                 vndf_column_rate(t, draw.places[0] / apart);
+  float droot = magnitude(vndf_rate(draw.marginal, draw.f[0])) * apart *
+                vndf_column_rate(t, draw.places[0] / apart);
+  if (t.separable == 0u) {
+    float far = draw.s > t.slope_middle ? float_of(0x3f800000u + t.slope_upper) : 1.0f;
+    droot = droot * magnitude(vndf_rate(draw.map, draw.map_f)) * far;
+  }
+  float dsigma = 2.0f * draw.root * droot;
   float dv =
-      vndf_magnitude(vndf_rate(draw.conditional, draw.f[2])) * vndf_column_rate(t, draw.places[2]);
+      magnitude(vndf_rate(draw.conditional, draw.f[2])) * vndf_second_rate(t, draw.places[2]);
   float ratio = square_root(m.x * m.x + m.y * m.y + m.z * m.z) / w.h2;
   float stretch = t.unit * t.unit * w.alpha_x * w.alpha_y;
   float jacobian = stretch * (0.5f - d) * vndf_scale(t, sigma, d) * dsigma * dv;
@@ -290,7 +378,7 @@ VNDF_FUNCTION VndfSampledNormal vndf_sample_with_density(VNDF_IN(VndfTables) t,
                                                          VNDF_IN(VndfDirection) w, float u1,
                                                          float u2) {
   VndfDraw draw = vndf_draw(t, w, u1, u2);
-  vec3 m = vndf_unstretched(t, w, draw.root * draw.root, draw.v);
+  vec3 m = vndf_unstretched(t, w, draw.root * draw.root, draw.v, kVndfAny);
   VndfSampledNormal sampled;
   sampled.wm = vndf_unit_or_up(m);
   sampled.pdf = w.alpha_x == w.alpha_x ? vndf_draw_density(t, w, draw, m) : 0.0f;
@@ -314,7 +402,7 @@ VNDF_FUNCTION vec2 vndf_slope_of(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w
   float p = -m.x / w.alpha_x, q = -m.y / w.alpha_y;
   float x = (w.x * p + w.y * q) / h, y = (w.x * q - w.y * p) / h;
   // x over z U, as in bounded_cotangent() of table_coordinates.h.
-  float z = m.z * t.unit, far = vndf_magnitude(x);
+  float z = m.z * t.unit, far = magnitude(x);
   float upper = far + square_root(far * far + z * z);
   float part = 1.0f / (upper + z);
   float d = (upper * part) * (z * part);
@@ -351,8 +439,7 @@ VNDF_FUNCTION VndfInverse vndf_invert(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirecti
   // What lies between the ends is between two neighbours of u.
   bool inside = vndf_inside(inverse.u1) && vndf_inside(inverse.u2);
   vec3 n = vndf_sample(t, w, inverse.u1, inverse.u2);
-  float distance =
-      vndf_magnitude(m.x - n.x) + vndf_magnitude(m.y - n.y) + vndf_magnitude(m.z - n.z);
+  float distance = magnitude(m.x - n.x) + magnitude(m.y - n.y) + magnitude(m.z - n.z);
   inverse.found = inside || distance <= kVndfRangeSlack;
   return inverse;
 }
@@ -371,14 +458,14 @@ VNDF_FUNCTION float vndf_curve(VNDF_IN(VndfTables) t, VndfCurve curve, float pla
       float offset = fetch_guide(t.block, at + 16u).start;
       VndfCell cell = vndf_cell(t, begin.offset, end.offset, (x - begin.start) + offset);
       float4 cubic = fetch4(t.block, cell.offset, 0u);
-      return power_of_two(vndf_values(cubic, cubic, make4(cell.f, cell.f, cell.f, cell.f))[0]);
+      return power_of_two(vndf_value(cubic, cell.f));
     }
   }
   return 0.0f;
 }
 
 VNDF_FUNCTION bool vndf_valid(vec3 w, float alpha_x, float alpha_y) {
-  float sum = vndf_magnitude(w.x) + vndf_magnitude(w.y) + alpha_x + alpha_y;
+  float sum = magnitude(w.x) + magnitude(w.y) + alpha_x + alpha_y;
   return w.z >= 0.0f && smaller(alpha_x, alpha_y) > 0.0f && sum <= kVndfLargest;
 }
 
@@ -401,13 +488,13 @@ VNDF_FUNCTION float vndf_backfacing_area(VNDF_IN(VndfTables) t, vec3 w, float al
 
 /// Lambda of a direction or its mirror below the horizon; infinite at the horizon.
 VNDF_FUNCTION float vndf_lambda(VNDF_IN(VndfTables) t, vec3 w, float alpha_x, float alpha_y) {
-  vec3 above = make3(w.x, w.y, vndf_magnitude(w.z));
+  vec3 above = make3(w.x, w.y, magnitude(w.z));
   if (!vndf_valid(above, alpha_x, alpha_y)) return 0.0f;
   return vndf_backfacing_area(t, above, alpha_x, alpha_y) / above.z;
 }
 
 VNDF_FUNCTION float vndf_g1(VNDF_IN(VndfTables) t, vec3 w, float alpha_x, float alpha_y) {
-  vec3 above = make3(w.x, w.y, vndf_magnitude(w.z));
+  vec3 above = make3(w.x, w.y, magnitude(w.z));
   if (!vndf_valid(above, alpha_x, alpha_y) || above.z == 0.0f) return 0.0f;
   return above.z / (above.z + vndf_backfacing_area(t, above, alpha_x, alpha_y));
 }

@@ -55,8 +55,8 @@ SampledNormal<T> TabulatedSampler<T>::sample_with_density(const Vec3<T>& wi, con
                                                           T u1, T u2) const noexcept {
   if (!valid(wi, alpha)) return {{T(0), T(0), T(1)}, T(0)};
   const FoldedProbability<T> folded = fold(probability(u2));
-  return sample_at(stretch(wi, alpha),
-                   {marginal_column(probability(u1)), conditional_column(folded.p), folded.sign});
+  return sample_at(stretch(wi, alpha), {marginal_column(widened(probability(u1))),
+                                        conditional_column(widened(folded.p)), folded.sign});
 }
 
 template <class T>
@@ -74,41 +74,34 @@ std::optional<Vec2<T>> TabulatedSampler<T>::invert(const Vec3<T>& wi, const Vec3
   if (!valid(wi, alpha) || !valid(wm, alpha)) return {};
   const auto columns = columns_of(stretch(wi, alpha), wm);
   if (!columns) return {};
-  return Vec2<T>{marginal_column_inverse(columns->marginal).u,
-                 unfold(FoldedProbability<T>{conditional_column_inverse(columns->conditional),
-                                             columns->sign})};
+  const FoldedProbability<double> folded{conditional_column_inverse(columns->conditional),
+                                         double{columns->sign}};
+  return Vec2<T>{static_cast<T>(marginal_column_inverse(columns->marginal).u),
+                 static_cast<T>(unfold(folded))};
 }
 
 /// sample_marginal() with its differentials; that of sigma is 0 where it is held at the farthest.
 template <class T>
-auto TabulatedSampler<T>::marginal_step(const BoundedSlope<T>& c, T column) const -> MarginalStep {
-  const int order = tables_->tail_order;
-  const BoundedSlope<T>& edge = farthest(c);
-  const T du1 = marginal_column_rate(column);
-  const WithDerivative<T> w = tables_->marginal.lookup_with_derivative(marginal_row(c), column);
-  const WithDerivative<T> sigma = marginal_map_.identity()
-                                      ? WithDerivative<T>{edge.sigma * w.value, edge.sigma}
-                                      : marginal_map_.at_with_derivative(w.value);
-  if (!(sigma.value < to_order(edge, order).sigma)) return {edge, du1, T(0)};
-  const BoundedSlope<T> ordered = bounded_from_sigma(sigma.value);
-  const BoundedSlope<T> x = from_order(ordered, order);
+auto TabulatedSampler<T>::marginal_step(const BoundedSlope<T>& c, double column) const
+    -> MarginalStep {
+  const BoundedSlope<T> edge = farthest(c);
+  const auto s = tables_->marginal.lookup_with_derivative(marginal_row(c), column);
+  const auto sigma = marginal_map_.at_with_derivative(s.value);
+  const BoundedSlope<T> x = bounded_from_sigma(static_cast<T>(sigma.value));
   const bool held = !(x.sigma < edge.sigma && x.complement > edge.complement);
-  if (held) return {held_below(edge, x), du1, T(0)};
-  return {x, du1, w.derivative * sigma.derivative * from_order_derivative(ordered, order)};
+  return {held_below(edge, x), static_cast<T>(marginal_column_rate(column)),
+          held ? T(0) : static_cast<T>(s.derivative * sigma.derivative)};
 }
 
 /// sample_conditional() with its differentials. At u2 = 1/2 both may vanish, as t; there they are
 /// those of the next number.
 template <class T>
-auto TabulatedSampler<T>::conditional_step(T row, T column) const -> ConditionalStep {
-  constexpr T kNext = std::numeric_limits<T>::epsilon();
-  const WithDerivative<T> v = tables_->conditional.lookup_with_derivative(row, column);
-  if (column * column < kNext) {
-    const T beside = std::sqrt(kNext);  // p = 2 beside^2
-    return {v.value, conditional_column_rate(beside) / T(2),
-            tables_->conditional.lookup_with_derivative(row, beside).derivative};
-  }
-  return {v.value, conditional_column_rate(column) / T(2), v.derivative};
+auto TabulatedSampler<T>::conditional_step(double row, double column) const -> ConditionalStep {
+  constexpr double kBeside = 0x1p-26;  // p = 2 kBeside^2, a rounding of 1
+  const double place = std::max(column, kBeside);
+  return {static_cast<T>(tables_->conditional.lookup(row, column)),
+          static_cast<T>(conditional_column_rate(place) / 2),
+          static_cast<T>(tables_->conditional.lookup_with_derivative(row, place).derivative)};
 }
 
 template <class T>
@@ -130,13 +123,6 @@ SampledNormal<T> TabulatedSampler<T>::sample_at(const Stretched& s, const Column
   return {normalize_or_up(normal), m.du1 * k.du2 > T(0) ? pdf : T(0)};
 }
 
-/// The value of the marginal table that stands for the slope `x` <= c.
-template <class T>
-T TabulatedSampler<T>::marginal_value(const BoundedSlope<T>& x, const BoundedSlope<T>& c) const {
-  const T sigma = to_order(x, tables_->tail_order).sigma;
-  return marginal_map_.identity() ? sigma / farthest(c).sigma : marginal_map_.inverse(sigma);
-}
-
 template <class T>
 auto TabulatedSampler<T>::columns_of(const Stretched& s, const Vec3<T>& wm) const
     -> std::optional<Columns> {
@@ -148,9 +134,9 @@ auto TabulatedSampler<T>::columns_of(const Stretched& s, const Vec3<T>& wm) cons
   const T scale = conditional_scale_.at({slope.x, slope.w});
   const T v = slope.y == T(0) ? T(0)  // at the rim of a bounded support the scale is 0 too
                               : conditional_value(bounded_from_fraction(std::abs(slope.y), scale));
-  const Columns columns{tables_->marginal.inverse(marginal_row(s.c), marginal_value(x, s.c)),
-                        tables_->conditional.inverse(conditional_row(x), v),
-                        slope.y < T(0) ? T(-1) : T(1)};
+  const Columns columns{
+      tables_->marginal.inverse(marginal_row(s.c), marginal_map_.inverse(x.sigma)),
+      tables_->conditional.inverse(conditional_row(x), v), slope.y < T(0) ? T(-1) : T(1)};
   if (!in_range(s, columns, x, v)) return {};
   return columns;
 }
@@ -160,8 +146,8 @@ auto TabulatedSampler<T>::columns_of(const Stretched& s, const Vec3<T>& wm) cons
 template <class T>
 bool TabulatedSampler<T>::in_range(const Stretched& s, const Columns& columns,
                                    const BoundedSlope<T>& x, T v) const {
-  const BoundedSlope<T> near_x = columns.marginal < T(1) ? x : marginal_step(s.c, T(1)).x;
-  const T end = tables_->conditional.lookup(conditional_row(x), T(1));
+  const BoundedSlope<T> near_x = columns.marginal < T(1) ? x : marginal_step(s.c, 1).x;
+  const T end = static_cast<T>(tables_->conditional.lookup(conditional_row(x), 1));
   const auto unit = [&](const BoundedSlope<T>& at, T value) {
     const SlopeFraction<T> fx{at.numerator(), at.denominator()};
     const auto slope =

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <algorithm>
-#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace vndf {
@@ -13,49 +13,31 @@ struct RowKnot {
   double base, row;
 };
 
-template <class T>
 class RowAxis {
  public:
-  /// Rows equidistant in the base coordinate.
-  RowAxis() = default;
   /// Knots that increase in both coordinates; the first row is 0 and the last 1. A base coordinate
-  /// outside them goes to the nearer end. No knots: the identity.
-  explicit RowAxis(const std::vector<RowKnot>& knots) {
-    for (const RowKnot& k : knots) {
-      bases_.push_back(static_cast<T>(k.base));
-      rows_.push_back(static_cast<T>(k.row));
-    }
-    for (std::size_t i = 1; i < knots.size(); ++i)
-      rows_per_base_.push_back(
-          static_cast<T>((knots[i].row - knots[i - 1].row) / (knots[i].base - knots[i - 1].base)));
-  }
+  /// outside them goes to the nearer end. No knots: the identity, rows equidistant in the base
+  /// coordinate.
+  explicit RowAxis(std::vector<RowKnot> knots) : knots_(std::move(knots)) {}
 
   /// Row coordinate at a base coordinate.
-  T row(T base) const {
-    if (bases_.empty()) return base;
-    const std::size_t i = segment(bases_, base);
-    return std::clamp(rows_[i] + (base - bases_[i]) * rows_per_base_[i], rows_[i], rows_[i + 1]);
-  }
+  double row(double base) const { return along(&RowKnot::base, &RowKnot::row, base); }
   /// Inverse of row().
-  T base(T row) const {
-    if (bases_.empty()) return row;
-    const std::size_t i = segment(rows_, row);
-    return std::clamp(bases_[i] + (row - rows_[i]) / rows_per_base_[i], bases_[i], bases_[i + 1]);
-  }
-
-  /// Base and row coordinate of every knot and the slope of every segment; empty for the identity.
-  const std::vector<T>& bases() const { return bases_; }
-  const std::vector<T>& rows() const { return rows_; }
-  const std::vector<T>& rows_per_base() const { return rows_per_base_; }
+  double base(double row) const { return along(&RowKnot::row, &RowKnot::base, row); }
 
  private:
-  static std::size_t segment(const std::vector<T>& from, T x) {
-    if (from.size() == 2) return 0;
-    const auto above = std::upper_bound(from.begin() + 1, from.end() - 1, x);
-    return static_cast<std::size_t>(above - from.begin()) - 1;
+  /// The coordinate `to` on the straight lines between the knots, where the coordinate `from` is x.
+  double along(double RowKnot::*from, double RowKnot::*to, double x) const {
+    if (knots_.empty()) return x;
+    const auto above =
+        std::upper_bound(knots_.begin() + 1, knots_.end() - 1, x,
+                         [from](double value, const RowKnot& k) { return value < k.*from; });
+    const RowKnot &high = *above, &low = *(above - 1);
+    const double fraction = (x - low.*from) / (high.*from - low.*from);
+    return std::clamp(low.*to + fraction * (high.*to - low.*to), low.*to, high.*to);
   }
 
-  std::vector<T> bases_, rows_, rows_per_base_;
+  std::vector<RowKnot> knots_;
 };
 
 }  // namespace vndf

@@ -12,9 +12,8 @@ namespace {
 using Broken = std::optional<std::string>;
 
 /// The rule that value j of a row breaks, or nothing.
-template <class V>
-const char* broken_rule(const CubicNode<V>* row, std::size_t j) {
-  const V w = row[j].value;
+const char* broken_rule(const CubicNode<double>* row, std::size_t j) {
+  const double w = row[j].value;
   if (!std::isfinite(w)) return " is not a finite number";
   if (w < 0 || w > 1) return " is outside [0, 1]";
   if (j == 0 && w != 0) return " is not 0, the value at the end of a row";
@@ -22,20 +21,17 @@ const char* broken_rule(const CubicNode<V>* row, std::size_t j) {
   return nullptr;
 }
 
-template <class V>
-Broken check_row(const CubicNode<V>* row, std::size_t columns) {
+Broken check_row(const CubicNode<double>* row, std::size_t columns) {
   for (std::size_t j = 0; j < columns; ++j)
     if (const char* rule = broken_rule(row, j)) return "column " + std::to_string(j) + rule;
   return {};
 }
 
 Broken check_table(const QuantileTable& table, const std::string& name) {
-  if (table.rows() < 1 || table.columns() < 3) return name + " table: empty";
-  for (std::size_t i = 0; i < table.rows(); ++i) {
-    const Broken b = table.in_double() ? check_row(table.row<double>(i), table.columns())
-                                       : check_row(table.row(i), table.columns());
-    if (b) return name + " table, row " + std::to_string(i) + ": " + *b;
-  }
+  if (table.rows() == 0) return name + " table: empty";
+  for (std::size_t i = 0; i < table.rows(); ++i)
+    if (const Broken b = check_row(table.row(i), table.columns()))
+      return name + " table, row " + std::to_string(i) + ": " + *b;
   return {};
 }
 
@@ -53,7 +49,6 @@ Broken check_axis(const std::vector<RowKnot>& knots, const std::string& name) {
 }
 
 Broken check_map(const std::vector<CubicNode<double>>& nodes, const std::string& name) {
-  if (nodes.empty()) return {};
   if (nodes.size() < 2 || nodes.front().value != 0)
     return name + " map: fewer than two nodes, or the first value is not 0";
   for (std::size_t k = 0; k < nodes.size(); ++k) {
@@ -93,34 +88,33 @@ Broken check_curve(const LogCurve<double>& curve, const std::string& name) {
   return {};
 }
 
-bool is_order(int n) {
-  return n == 1 || n == 2 || n == 4 || n == 8 || n == 16;
-}
-
 }  // namespace
 
+bool conditional_factorises(const SlopeTables& tables) {
+  const QuantileTable& table = tables.conditional;
+  const std::vector<double> first = table.row_values(0);
+  for (std::size_t i = 1; i < table.rows(); ++i)
+    if (table.row_values(i) != first) return false;
+  return true;
+}
+
 std::size_t sampling_bytes(const SlopeTables& tables) {
-  const auto values = [](const QuantileTable& t) { return 2 * t.rows() * t.columns(); };
+  const auto nodes = [](const QuantileTable& t) { return 2 * t.rows() * t.columns(); };
   const std::size_t knots = tables.marginal_rows.size() + tables.conditional_rows.size();
-  const std::size_t pieces = tables.marginal_map.empty() ? 0 : tables.marginal_map.size() - 1;
-  return sizeof(float) *
-         (values(tables.marginal) + values(tables.conditional) + 3 * knots + 4 * pieces);
+  const std::size_t pieces = tables.marginal_map.size() - 1;
+  return sizeof(double) *
+         (nodes(tables.marginal) + nodes(tables.conditional) + 2 * knots + 4 * pieces);
 }
 
 std::optional<std::string> check(const SlopeTables& tables) {
   if (!(tables.mean_slope > 0) || !std::isfinite(tables.mean_slope))
     return "mean slope is not a finite number > 0";
   if (!(tables.support > 0)) return "support is not a number > 0";
-  if (!(tables.conditional_constant > 0) || !(tables.conditional_quadratic >= 0) ||
-      !std::isfinite(tables.conditional_constant + tables.conditional_quadratic))
-    return "scale of the conditional is not a number > 0 and one >= 0";
-  if (!(tables.conditional_unit > 0) || !std::isfinite(tables.conditional_unit))
-    return "unit of the conditional is not a finite number > 0";
-  if (!is_order(tables.tail_order)) return "tail order is none of 1, 2, 4, 8, 16";
+  if (!(tables.conditional_constant > 0) || !std::isfinite(tables.conditional_constant) ||
+      !std::isfinite(tables.conditional_quadratic))
+    return "scale of the conditional is not of a finite number > 0 and a finite one";
   if (const Broken b = check_table(tables.marginal, "marginal")) return b;
   if (const Broken b = check_table(tables.conditional, "conditional")) return b;
-  if (tables.conditional.tangents() != conditional_tangents(tables.marginal.tangents()))
-    return "the tangents of the conditional table are not conditional_tangents() of the marginal's";
   if (const Broken b = check_axis(tables.marginal_rows, "marginal")) return b;
   if (const Broken b = check_axis(tables.conditional_rows, "conditional")) return b;
   if (const Broken b = check_map(tables.marginal_map, "marginal")) return b;

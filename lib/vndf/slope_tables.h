@@ -24,20 +24,14 @@ struct SlopeTables {
   double mean_slope = 0;
   /// Largest slope of the distribution in units of mu, infinite where there is none. > 0.
   double support = std::numeric_limits<double>::infinity();
-  /// Order n of the values of the marginal table: 1, or 2, 4, 8, 16 for very heavy tails.
-  int tail_order = 1;
-  /// Constant and quadratic part of the scale of the conditional; without meaning where `support`
-  /// is finite.
+  /// A and B of the scale of the conditional. Finite, A > 0.
   double conditional_constant = 1, conditional_quadratic = 1;
-  /// Unit L of the base coordinate of the conditional. Finite, > 0.
-  double conditional_unit = 1;
-  /// sigma_n(x) / sigma(c) over (theta, u1) and 2 sigma(y / scale) - 1 over (|x|, u2); the
+  /// s with map(s) = sigma(x) over (theta, u1) and 2 sigma(y / scale) - 1 over (|x|, u2); the
   /// coordinates are in table_coordinates.h.
   QuantileTable marginal = {}, conditional = {};
   /// Knots of the row axes, from row 0 to row 1; none where rows are equidistant.
   std::vector<RowKnot> marginal_rows = {}, conditional_rows = {};
-  /// Nodes of the map from the values of the marginal table to sigma_n(x); none where they are
-  /// sigma_n(x) / sigma(c) themselves.
+  /// Nodes of the map from the values of the marginal table to sigma(x).
   std::vector<CubicNode<double>> marginal_map = {};
   /// Distribution of normals at alpha = 1 / mu, D = p22 (1 + r^2)^2, over asinh(r).
   LogCurve<double> log_ndf;
@@ -46,13 +40,11 @@ struct SlopeTables {
   LogCurve<double> log_backfacing;
 };
 
-/// How the conditional takes its tangents where the marginal takes them by `marginal`: its values
-/// are even in the column coordinate, for |y| grows with p ~ t^2.
-constexpr Tangents conditional_tangents(Tangents marginal) {
-  return marginal == Tangents::three_points ? marginal : Tangents::five_points_even;
-}
+/// Whether the slopes y given x are one distribution times the scale, whatever x: all rows of the
+/// conditional are equal.
+bool conditional_factorises(const SlopeTables& tables);
 
-/// Bytes of tables, knots and map that sampling in single precision reads.
+/// Bytes of tables, knots and map that sampling reads.
 std::size_t sampling_bytes(const SlopeTables& tables);
 
 /// The first rule that `tables` breaks, with the place, or nothing: sizes, finite values, rows that

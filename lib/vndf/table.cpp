@@ -1,4 +1,4 @@
-// The nodes of a table, made from its values.
+// A table, made from its values, and its lookup.
 #include "vndf/table.h"
 
 #include <algorithm>
@@ -7,76 +7,82 @@
 #include "vndf/differences.h"
 
 namespace vndf {
-namespace {
 
-/// Derivative at value `i` < count - 2 of a row that goes on evenly before its first value.
-template <class T>
-double even_derivative(const T* values, std::size_t i) {
-  const auto difference = [&](std::size_t k) {
-    return static_cast<double>(values[i + k]) - static_cast<double>(values[i < k ? k - i : i - k]);
-  };
-  return (8 * difference(1) - difference(2)) / 12;
-}
-
-}  // namespace
-
-template <class T>
-std::vector<CubicNode<T>> nodes_of_row(const T* values, std::size_t count, Tangents rule) {
-  const bool three = rule == Tangents::three_points || count < 5;
-  // Values like t^2 begin with differences of 1 to 3. A larger first one is a jump, as of a ring,
-  // whose slopes y begin beyond its hole.
-  const bool even =
-      rule == Tangents::five_points_even && values[1] - values[0] <= values[2] - values[1];
+std::vector<CubicNode<double>> nodes_of_row(const double* values, std::size_t count) {
   const auto at = [values](std::size_t k) { return values[k]; };
+  // What begins like t^2, with differences of 1 to 3, as |y| does, has no slope at its first value.
+  // The quartic says so only to rounding, which is all the density there.
+  const bool begins_flat = at(1) - at(0) <= (at(2) - at(1)) / 2;
   const auto tangent = [&](std::size_t i) {
+    if (i == 0 && begins_flat) return 0.0;
     const double most = steepest_tangent(at, count, i);
-    const auto allowed = [most](double t) { return t >= 0 && t <= most; };
-    if (!three) {
-      const double t =
-          even && i < 2 ? even_derivative(values, i) : derivative(kFivePoints, at, count, i);
-      if (allowed(t)) return t;  // a quartic across a jump turns back; the parabola does not
-    }
+    const double quartic = derivative(kFivePoints, at, count, i);
+    if (quartic >= 0 && quartic <= most) return quartic;
+    // A quartic across a jump turns back; the parabola does not.
     return std::max(0.0, std::min(derivative(kThreePoints, at, count, i), most));
   };
-  std::vector<CubicNode<T>> nodes;
+  std::vector<CubicNode<double>> nodes;
   nodes.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) nodes.push_back({values[i], static_cast<T>(tangent(i))});
+  for (std::size_t i = 0; i < count; ++i) nodes.push_back({values[i], tangent(i)});
   return nodes;
 }
 
-template std::vector<CubicNode<float>> nodes_of_row(const float*, std::size_t, Tangents);
-template std::vector<CubicNode<double>> nodes_of_row(const double*, std::size_t, Tangents);
-
 QuantileTable::QuantileTable(std::size_t rows, std::size_t columns,
-                             const std::vector<float>& values, RowBlend blend, Tangents tangents)
-    : rows_(rows),
-      columns_(columns),
-      blend_(blend),
-      tangents_(tangents),
-      single_(nodes_of(values)) {}
+                             const std::vector<float>& values)
+    : QuantileTable(rows, columns, std::vector<double>(values.begin(), values.end()), false) {}
 
 QuantileTable QuantileTable::with_double_values(std::size_t rows, std::size_t columns,
-                                                const std::vector<double>& values, RowBlend blend,
-                                                Tangents tangents) {
-  QuantileTable table(rows, columns, std::vector<float>(values.begin(), values.end()), blend,
-                      tangents);
-  table.double_ = table.nodes_of(values);
-  return table;
+                                                const std::vector<double>& values) {
+  return {rows, columns, values, true};
 }
 
-template <class V>
-std::vector<CubicNode<V>> QuantileTable::nodes_of(const std::vector<V>& values) const {
-  const bool too_few = rows_ == 0 || (blend_ == RowBlend::cubic && rows_ > 1 && rows_ < 4);
-  if (too_few || columns_ < 3 || values.size() / columns_ != rows_ || values.size() % columns_ != 0)
-    throw std::invalid_argument(
-        "a quantile table needs 1 row, or 2 and 4 for a cubic blend, or more, of 3 values or more");
-  std::vector<CubicNode<V>> result;
-  result.reserve(values.size());
-  for (std::size_t i = 0; i < rows_; ++i) {
-    const auto row = nodes_of_row(values.data() + i * columns_, columns_, tangents_);
-    result.insert(result.end(), row.begin(), row.end());
+QuantileTable::QuantileTable(std::size_t rows, std::size_t columns,
+                             const std::vector<double>& values, bool in_double)
+    : rows_(rows), columns_(columns), in_double_(in_double) {
+  if (rows < 2 || columns < kFewestColumns || values.size() / columns != rows ||
+      values.size() % columns != 0)
+    throw std::invalid_argument("a quantile table needs 2 rows or more of 5 values or more");
+  nodes_.reserve(values.size());
+  for (std::size_t i = 0; i < rows; ++i) {
+    const auto nodes = nodes_of_row(values.data() + i * columns, columns);
+    nodes_.insert(nodes_.end(), nodes.begin(), nodes.end());
   }
-  return result;
+}
+
+std::vector<double> QuantileTable::row_values(std::size_t i) const {
+  std::vector<double> values;
+  values.reserve(columns_);
+  for (std::size_t j = 0; j < columns_; ++j) values.push_back(row(i)[j].value);
+  return values;
+}
+
+WithDerivative<double> QuantileTable::lookup_with_derivative(double row, double column) const {
+  const Cell<double> c = cell_of(column, columns_);
+  const CubicPiece<double> cubic = piece(cell_of(row, rows_), c.index);
+  const double w = cubic.at(c.fraction), held = std::clamp(w, 0.0, 1.0);
+  const double slope = static_cast<double>(columns_ - 1) * cubic.derivative(c.fraction);
+  return {held, w == held ? slope : 0.0};
+}
+
+double QuantileTable::inverse(double row, double value) const {
+  const Cell<double> r = cell_of(row, rows_);
+  std::size_t low = 0, high = columns_ - 1;  // `value` lies between these two nodes
+  while (high - low > 1) {
+    const std::size_t middle = (low + high) / 2;
+    (piece(r, middle).c0 > value ? high : low) = middle;
+  }
+  return (static_cast<double>(low) + piece(r, low).inverse(value)) /
+         static_cast<double>(columns_ - 1);
+}
+
+/// The nodes of two rows are blended, not what becomes of them: one cubic instead of two.
+CubicPiece<double> QuantileTable::piece(const Cell<double>& r, std::size_t index) const {
+  const CubicNode<double>*low = row(r.index) + index, *high = row(r.index + 1) + index;
+  const auto blended = [&](std::size_t k) {
+    return CubicNode<double>{low[k].value + r.fraction * (high[k].value - low[k].value),
+                             low[k].tangent + r.fraction * (high[k].tangent - low[k].tangent)};
+  };
+  return hermite_piece(blended(0), blended(1));
 }
 
 }  // namespace vndf

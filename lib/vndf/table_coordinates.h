@@ -9,24 +9,21 @@
 //
 // sigma runs from 0 (x = -infinity) over 1/2 (x = 0) to 1 (x = +infinity). Near 0 it is 1/(2|x|),
 // so a float keeps full relative precision in the heavy tail, and decoding needs no transcendental.
-// Tails so heavy that slopes leave the range of a float are stored at an order n = 2, 4, 8, 16:
-// sigma_n is made of tau^(1/n) in place of tau, which n doublings of the exponent undo.
 //
 //   marginal table     base   sqrt(2 (1 - sigma(c))): 0 at normal incidence, 1 at grazing
 //                      column t = a / (a + b), a = u1^(1/4), b = (1 - u1)^(1/4)
-//                      value  sigma_n(x) / sigma(c): 0 and, at order 1, 1 at the ends of every row,
-//                             so that x <= c holds between rows too (at a higher order sigma_n(c),
-//                             below sigma(c), is put in its place where the product is larger); c
-//                             is at most the largest slope there is. Or, where that would err too
-//                             much, s with map(s) = sigma_n(x), a map made for the distribution
-//   conditional table  base   sqrt(|2 sigma(x / L) - 1|): 0 at x = 0, 1 at |x| = infinity
+//                      value  s with map(s) = sigma(x), a map made for the distribution
+//                             (monotone_map.h): its own quantile function over the same columns,
+//                             through which the quantiles of all angles are smooth
+//   conditional table  base   sqrt(|2 sigma(x) - 1|): 0 at x = 0, 1 at |x| = infinity
 //                      column t = b / (a + b), a = s^(1/2), b = (1 - s)^(1/2), s = q^(1/2),
 //                             q = 1 - |2 u2 - 1|: the half y >= 0, the other by symmetry
-//                      value  2 sigma(y / scale) - 1, scale = sqrt(A + B x^2), or sqrt(R^2 - x^2)
-//                             where no slope is larger than R
+//                      value  2 sigma(y / scale) - 1, scale = sqrt(max(0, A + B x^2)): with the A
+//                             and B that make all rows the same where that can be, as for Beckmann
+//                             and Student-T slopes, GGX among them; with A = R^2 and B = -1 where
+//                             no slope is larger than R
 //   rows               a RowAxis maps the base coordinate to the row; it is the identity where rows
-//                      equidistant in it serve well. Where y / scale does not depend on x, as for
-//                      Beckmann and Student-T slopes, GGX among them, the conditional has one row
+//                      equidistant in it serve well
 //
 // The square roots of the base coordinates grade them where the quantile is not smooth (u ~
 // tan(theta) M at the pole, cusped densities at x = 0). The fourth roots of the column axes put 32
@@ -35,7 +32,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "vndf/select.h"
 
@@ -59,6 +55,12 @@ struct BoundedSlope {
 template <class T>
 BoundedSlope<T> bounded_from_sigma(T sigma) {
   return {sigma, T(1) - sigma};
+}
+
+/// The same slope for coordinates in double precision, in which tables are read.
+template <class T>
+BoundedSlope<double> widened(const BoundedSlope<T>& x) {
+  return {double{x.sigma}, double{x.complement}};
 }
 
 /// `x`, or `edge` where it is smaller. Each part is held by itself: near 1 sigma is rounded more
@@ -99,40 +101,6 @@ BoundedSlope<T> bounded_from_fraction(T x, T w) {
   return x < T(0) ? BoundedSlope<T>{b.complement, b.sigma} : b;
 }
 
-/// sigma_n with its complement: tau becomes tau^(1/order). `order` is a power of two.
-template <class T>
-BoundedSlope<T> to_order(BoundedSlope<T> slope, int order) {
-  for (int n = order; n > 1; n /= 2) {
-    const T a = std::sqrt(slope.sigma), b = std::sqrt(slope.complement);
-    slope = {a / (a + b), b / (a + b)};
-  }
-  return slope;
-}
-
-/// Inverse of to_order().
-template <class T>
-BoundedSlope<T> from_order(BoundedSlope<T> slope, int order) {
-  for (int n = order; n > 1; n /= 2) {
-    const T a = slope.sigma * slope.sigma, b = slope.complement * slope.complement;
-    slope = {a / (a + b), b / (a + b)};
-  }
-  return slope;
-}
-
-/// d sigma / d sigma_n of from_order(). One doubling takes a to a^2 / (a^2 + b^2), b = 1 - a, of
-/// which the derivative is 2 a b / (a^2 + b^2)^2.
-template <class T>
-T from_order_derivative(BoundedSlope<T> slope, int order) {
-  T derivative = T(1);
-  for (int n = order; n > 1; n /= 2) {
-    const T a = slope.sigma * slope.sigma, b = slope.complement * slope.complement;
-    const T sum = a + b;
-    derivative *= T(2) * slope.denominator() / (sum * sum);
-    slope = {a / sum, b / sum};
-  }
-  return derivative;
-}
-
 /// Base coordinate of the marginal table for the cotangent `c` of the (stretched) incident
 /// direction.
 template <class T>
@@ -147,19 +115,19 @@ BoundedSlope<T> marginal_base_inverse(T base) {
   return {T(1) - complement, complement};
 }
 
-/// Base coordinate of the conditional table for the slope `x`, in units of L = `unit`; the same for
-/// x and -x. With x = n / d, |2 sigma(x / L) - 1| = |n| / (L d + sqrt(L^2 d^2 + n^2)).
+/// Base coordinate of the conditional table for the slope `x`; the same for x and -x. With
+/// x = n / d, |2 sigma(x) - 1| = |n| / (d + sqrt(d^2 + n^2)).
 template <class T>
-T conditional_base(const BoundedSlope<T>& x, T unit) {
-  const T n = std::abs(x.numerator()), d = unit * x.denominator();
+T conditional_base(const BoundedSlope<T>& x) {
+  const T n = std::abs(x.numerator()), d = x.denominator();
   return std::sqrt(n / (d + std::sqrt(d * d + n * n)));
 }
 
 /// Inverse of conditional_base: the slope |x| >= 0, infinite at base 1.
 template <class T>
-T conditional_base_inverse(T base, T unit) {
+T conditional_base_inverse(T base) {
   const T square = base * base;
-  return unit * T(2) * square / ((T(1) - square) * (T(1) + square));
+  return T(2) * square / ((T(1) - square) * (T(1) + square));
 }
 
 /// A probability with its complement, so that neither end is lost to rounding.
@@ -167,6 +135,11 @@ template <class T>
 struct Probability {
   T u, complement;
 };
+
+template <class T>
+Probability<double> widened(const Probability<T>& p) {
+  return {double{p.u}, double{p.complement}};
+}
 
 /// Brings `u` into [0, 1]; not a number becomes 0.
 template <class T>
@@ -266,18 +239,17 @@ SlopeFraction<T> conditional_value_inverse(T v) {
   return {T(2) * v, (T(1) - v) * (T(1) + v)};
 }
 
-/// Scale of the conditional slope: sqrt(constant + quadratic x^2), or sqrt(R^2 - x^2) where the
-/// largest slope R = `support` is finite.
+/// Scale of the conditional slope: sqrt(max(0, A + B x^2)), A = `constant` and B = `quadratic`.
 template <class T>
 struct ConditionalScale {
-  T constant = T(1), quadratic = T(1), support = std::numeric_limits<T>::infinity();
+  T constant = T(1), quadratic = T(1);
 
   /// The scale at the slope x, times x.denominator.
   T at(const SlopeFraction<T>& x) const {
-    const T n = x.numerator, d = x.denominator;
-    if (std::isinf(support)) return std::sqrt(constant * (d * d) + quadratic * (n * n));
-    const T edge = support * d;
-    return std::sqrt(std::max(T(0), (edge - n) * (edge + n)));
+    const T a = std::sqrt(constant) * x.denominator;
+    const T b = std::sqrt(std::abs(quadratic)) * x.numerator;
+    if (quadratic >= T(0)) return std::sqrt(a * a + b * b);
+    return std::sqrt(std::max(T(0), (a - b) * (a + b)));  // as a product it keeps digits at the rim
   }
 };
 

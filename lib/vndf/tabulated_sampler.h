@@ -44,13 +44,11 @@ class TabulatedSampler {
   explicit TabulatedSampler(std::shared_ptr<const SlopeTables> tables)
       : tables_(std::move(tables)),
         mean_slope_(static_cast<T>(tables_->mean_slope)),
-        support_(static_cast<T>(tables_->support)),
-        bounded_support_(bounded_from_slope(support_)),
+        bounded_support_(bounded_from_slope(static_cast<T>(tables_->support))),
         marginal_rows_(tables_->marginal_rows),
         conditional_rows_(tables_->conditional_rows),
-        conditional_unit_(static_cast<T>(tables_->conditional_unit)),
         conditional_scale_{static_cast<T>(tables_->conditional_constant),
-                           static_cast<T>(tables_->conditional_quadratic), support_},
+                           static_cast<T>(tables_->conditional_quadratic)},
         marginal_map_(tables_->marginal_map),
         log_ndf_(tables_->log_ndf),
         log_backfacing_(tables_->log_backfacing) {}
@@ -62,10 +60,7 @@ class TabulatedSampler {
   /// to the nearer end, where the slope is infinite and the normal horizontal. At the exact pole
   /// the azimuth is taken as 0. Returns a unit normal with wm.z >= 0 and dot(wi, wm) >=
   /// -kFacingSlack<T>; (0, 0, 1) for an input outside its range.
-  //
-  // Flat, because its steps hand each other small structs that calls would pack and unpack.
-  [[gnu::flatten]] Vec3<T> sample(const Vec3<T>& wi, const Alpha<T>& alpha, T u1,
-                                  T u2) const noexcept {
+  Vec3<T> sample(const Vec3<T>& wi, const Alpha<T>& alpha, T u1, T u2) const noexcept {
     if (!valid(wi, alpha)) return {T(0), T(0), T(1)};
     // 1. stretch
     const Stretched s = stretch(wi, alpha);
@@ -78,12 +73,8 @@ class TabulatedSampler {
   /// Steps 2.a and 2.b of Algorithm 4: the slope seen from cotangent `c`, both at unit mean slope.
   HomogeneousSlope<T> sample_slope(const BoundedSlope<T>& c, T u1, T u2) const noexcept {
     // 2.a marginal
-    // 2.b conditional
-    return sample_across(sample_marginal(c, probability(u1)), u2);
-  }
-
-  /// Step 2.b: y, the slope in the table times a scale that depends on x, beside the slope `x`.
-  HomogeneousSlope<T> sample_across(const BoundedSlope<T>& x, T u2) const noexcept {
+    const BoundedSlope<T> x = sample_marginal(c, probability(u1));
+    // 2.b conditional: y, the slope in the table times a scale that depends on x
     const FoldedProbability<T> folded = fold(probability(u2));
     const T v = sample_conditional(x, folded.p);
     const SlopeFraction<T> fx{x.numerator(), x.denominator()};
@@ -93,22 +84,15 @@ class TabulatedSampler {
   /// The marginal quantile at u1, in units of the mean slope; at most the slope `c`.
   BoundedSlope<T> sample_marginal(const BoundedSlope<T>& c,
                                   const Probability<T>& u1) const noexcept {
-    return held_below(farthest(c), from_order(sample_ordered_marginal(c, u1), tables_->tail_order));
-  }
-
-  /// The same at the order of the table, where it does not leave the range of T.
-  BoundedSlope<T> sample_ordered_marginal(const BoundedSlope<T>& c,
-                                          const Probability<T>& u1) const noexcept {
-    const BoundedSlope<T> edge = farthest(c);
-    const T w = tables_->marginal.lookup(marginal_row(c), marginal_column(u1));
-    const T sigma = marginal_map_.identity() ? edge.sigma * w : marginal_map_.at(w);
-    return bounded_from_sigma(smaller(sigma, to_order(edge, tables_->tail_order).sigma));
+    const double s = tables_->marginal.lookup(marginal_row(c), marginal_column(widened(u1)));
+    return held_below(farthest(c), bounded_from_sigma(static_cast<T>(marginal_map_.at(s))));
   }
 
   /// The value v = 2 sigma - 1 of |y| / scale that a sampled |y| stays below with probability p:
   /// |y| = scale(x) conditional_value_inverse(v).
   T sample_conditional(const BoundedSlope<T>& x, const Probability<T>& p) const noexcept {
-    return tables_->conditional.lookup(conditional_row(x), conditional_column(p));
+    return static_cast<T>(
+        tables_->conditional.lookup(conditional_row(x), conditional_column(widened(p))));
   }
 
   /// Density of normals D(wm) per solid angle; 0 for a horizontal or back-facing normal.
@@ -165,46 +149,17 @@ class TabulatedSampler {
   std::optional<Vec2<T>> invert(const Vec3<T>& wi, const Vec3<T>& wm,
                                 const Alpha<T>& alpha) const noexcept;
 
-  // The parts, for samplers that do the same steps in another order.
-
-  /// mu = E|X| at unit roughness.
-  T mean_slope() const { return mean_slope_; }
-  /// The largest slope of the distribution.
-  const BoundedSlope<T>& bounded_support() const { return bounded_support_; }
-  const RowAxis<T>& marginal_rows() const { return marginal_rows_; }
-  const RowAxis<T>& conditional_rows() const { return conditional_rows_; }
-  const MonotoneMap<T>& marginal_map() const { return marginal_map_; }
-  T conditional_unit() const { return conditional_unit_; }
-  const ConditionalScale<T>& conditional_scale() const { return conditional_scale_; }
-
-  /// The largest slope seen from cotangent `c`.
-  BoundedSlope<T> farthest(const BoundedSlope<T>& c) const {
-    return held_below(bounded_support_, c);
-  }
-  /// Row coordinates of the tables.
-  T marginal_row(const BoundedSlope<T>& c) const { return marginal_rows_.row(marginal_base(c)); }
-  T conditional_row(const BoundedSlope<T>& x) const {
-    if (tables_->conditional.rows() == 1) return T(0);
-    return conditional_rows_.row(conditional_base(x, conditional_unit_));
-  }
-
-  /// Step 1: the stretched configuration, roughness in units in which the mean slope is 1.
+ private:
+  /// The stretched configuration, roughness in units in which the mean slope is 1.
   struct Stretched {
     Alpha<T> alpha;
     Azimuth<T> phi;
     BoundedSlope<T> c;
   };
-  Stretched stretch(const Vec3<T>& wi, const Alpha<T>& alpha) const {
-    const Alpha<T> a = normalized(alpha);
-    const T x = a.x * wi.x, y = a.y * wi.y;
-    const Azimuth<T> phi = azimuth(x, y);
-    return {a, phi, bounded_cotangent(wi.z, phi.length, x * x + y * y)};
-  }
-
- private:
   /// Columns of the two tables, and the sign of slope_y: what u1 and u2 stand for.
   struct Columns {
-    T marginal, conditional, sign;
+    double marginal, conditional;
+    T sign;
   };
   /// The two steps of the map with their differentials along the column.
   struct MarginalStep {
@@ -215,9 +170,28 @@ class TabulatedSampler {
     T v, du2, dv;
   };
 
-  MarginalStep marginal_step(const BoundedSlope<T>& c, T column) const;
-  ConditionalStep conditional_step(T row, T column) const;
-  T marginal_value(const BoundedSlope<T>& x, const BoundedSlope<T>& c) const;
+  Stretched stretch(const Vec3<T>& wi, const Alpha<T>& alpha) const {
+    const Alpha<T> a = normalized(alpha);
+    const T x = a.x * wi.x, y = a.y * wi.y;
+    const Azimuth<T> phi = azimuth(x, y);
+    return {a, phi, bounded_cotangent(wi.z, phi.length, x * x + y * y)};
+  }
+
+  /// The largest slope seen from cotangent `c`.
+  BoundedSlope<T> farthest(const BoundedSlope<T>& c) const {
+    return held_below(bounded_support_, c);
+  }
+
+  /// Row coordinates of the tables.
+  double marginal_row(const BoundedSlope<T>& c) const {
+    return marginal_rows_.row(marginal_base(widened(c)));
+  }
+  double conditional_row(const BoundedSlope<T>& x) const {
+    return conditional_rows_.row(conditional_base(widened(x)));
+  }
+
+  MarginalStep marginal_step(const BoundedSlope<T>& c, double column) const;
+  ConditionalStep conditional_step(double row, double column) const;
   SampledNormal<T> sample_at(const Stretched& s, const Columns& columns) const;
   std::optional<Columns> columns_of(const Stretched& s, const Vec3<T>& wm) const;
   bool in_range(const Stretched& s, const Columns& columns, const BoundedSlope<T>& x, T v) const;
@@ -236,12 +210,11 @@ class TabulatedSampler {
   }
 
   std::shared_ptr<const SlopeTables> tables_;
-  T mean_slope_, support_;
+  T mean_slope_;
   BoundedSlope<T> bounded_support_;
-  RowAxis<T> marginal_rows_, conditional_rows_;
-  T conditional_unit_;
+  RowAxis marginal_rows_, conditional_rows_;
   ConditionalScale<T> conditional_scale_;
-  MonotoneMap<T> marginal_map_;
+  MonotoneMap marginal_map_;
   LogCurve<T> log_ndf_, log_backfacing_;
 };
 
