@@ -8,6 +8,7 @@
 #include <hwy/highway.h>
 
 #include "batch/spans.h"
+#include "random_inputs.h"
 #include "vndf/vec.h"
 
 namespace vndf::test {
@@ -25,11 +26,18 @@ struct BatchArrays {
     u2.push_back(second);
     for (auto* v : {&x, &y, &z}) v->push_back(-9);
   }
+  void add(const SamplerInput& in) {
+    const auto number = [](double value) { return static_cast<float>(value); };
+    add({number(in.wi.x), number(in.wi.y), number(in.wi.z)},
+        {number(in.alpha.x), number(in.alpha.y)}, number(in.u1), number(in.u2));
+  }
 
   std::size_t size() const { return u1.size(); }
   DirectionSpans wi() const { return {wi_x, wi_y, wi_z}; }
   AlphaSpans alpha() const { return {alpha_x, alpha_y}; }
   NormalSpans wm() { return {x, y, z}; }
+  Vec3<float> wi(std::size_t i) const { return {wi_x[i], wi_y[i], wi_z[i]}; }
+  Alpha<float> alpha(std::size_t i) const { return {alpha_x[i], alpha_y[i]}; }
   Vec3<float> normal(std::size_t i) const { return {x[i], y[i], z[i]}; }
 };
 

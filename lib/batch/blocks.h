@@ -9,9 +9,9 @@
 
 namespace vndf::batch {
 
-/// Samples in a block: a multiple of the lanes of any target, few enough that thirty arrays, 17
-/// KiB, leave the rows in use their place in the first-level cache.
-inline constexpr std::size_t kBlock = 128;
+/// Samples in a block: a multiple of the lanes of any target, few enough that twenty arrays, 6 KiB,
+/// leave the cells in use their place in the first-level cache.
+inline constexpr std::size_t kBlock = 64;
 /// Most lanes that a kernel uses.
 inline constexpr std::size_t kMaxLanes = 16;
 

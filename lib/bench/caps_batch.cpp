@@ -91,8 +91,8 @@ void dispatch(const Direction& wi, const Roughness& alpha, std::span<const float
   using batch::Output;
   batch::Samples samples{wm.x.size(),  Input(u1),    Input(u2),
                          Output(wm.x), Output(wm.y), Output(wm.z)};
-  batch::DirectionInputs inputs{
-      samples.size, 1, Input(wi.x), Input(wi.y), Input(wi.z), Input(alpha.x), Input(alpha.y)};
+  batch::DirectionInputs inputs{Input(wi.x), Input(wi.y), Input(wi.z), Input(alpha.x),
+                                Input(alpha.y)};
   HWY_DYNAMIC_DISPATCH(caps_directions)(inputs, samples);
 }
 

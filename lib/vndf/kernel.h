@@ -49,6 +49,8 @@ class KernelDirection {
   }
 
   const kernel::VndfDirection& direction() const { return direction_; }
+  /// Those of its kernel.
+  const kernel::VndfTables& tables() const { return tables_; }
 
  private:
   friend class Kernel;
