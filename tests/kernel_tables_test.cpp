@@ -104,7 +104,7 @@ TEST_CASE("texts and a certificate are kept beside the same numbers") {
   certificate.marginal.max_u_error = 1e-5;
   certificate.max_pdf_error = 2e-5;
   const KernelText text{"a law", "vndf build", "vndf 1", "0123", "one\ntwo\n"};
-  const KernelTables tables = smallest().with(certificate, text);
+  const KernelTables tables = smallest().with_certificate(certificate, true).with_text(text);
   const KernelTables again = KernelTables::copy(tables.bytes());
   CHECK(again.text().distribution == "a law");
   CHECK(again.text().recipe == "vndf build");
@@ -199,7 +199,7 @@ TEST_CASE("a file is refused if its certificate admits more than is asked for") 
   Certificate certificate;
   certificate.marginal.max_u_error = 2e-6;
   certificate.conditional.max_u_error = 7e-6;
-  const File file(smallest().with(certificate, {}).bytes());
+  const File file(smallest().with_certificate(certificate, true).bytes());
   CHECK_NOTHROW(load(file.path(), {.max_u_error = 7e-6}));
   CHECK_THROWS_WITH(load(file.path(), {.max_u_error = 5e-6}),
                     contains(file.path().string()) && contains("7e-06") && contains("5e-06") &&

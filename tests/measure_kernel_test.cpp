@@ -100,7 +100,7 @@ TEST_CASE("without the law the certificate is the pair's with the differences, a
 TEST_CASE("the judge passes a kernel and rejects that of another law") {
   const auto judged = [](const std::string& law, const KernelTables& tables) {
     const auto own = std::make_shared<validate::SlopeLaw>(parse_distribution("ggx"));
-    const KernelTables certified = tables.with(measured(law, tables.kernel()), {});
+    const KernelTables certified = tables.with_certificate(measured(law, tables.kernel()), true);
     return validate::judge(
         validate::kernel_subject(law, own, certified),
         {.thoroughness = validate::Thoroughness::quick, .seed = 5, .stop_at_first_failure = true});

@@ -68,7 +68,7 @@ void bake_file(const Arguments& a) {
     throw std::runtime_error(a.output + ": baked tables are written to a .vndf file; give one");
   require_output(a.output, {a.input});
   const KernelTables tables = baked(load_pair(a.input), a);
-  save_tables(a.output, tables);
+  save(a.output, tables);
 
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   if (a.json) {

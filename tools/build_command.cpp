@@ -122,7 +122,7 @@ void save_as(const std::string& output, const io::TableFile& pair) {
   io::save(output, pair);
 }
 void save_as(const std::string& output, const KernelTables& tables) {
-  save_tables(output, tables);
+  save(output, tables);
 }
 const Certificate& certificate_of(const io::TableFile& pair) {
   return pair.certificate;

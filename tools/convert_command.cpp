@@ -24,7 +24,7 @@ void save_baked(const std::string& input, const KernelTables& tables, const std:
     throw std::runtime_error(
         input + ": baked tables do not hold the pair that they were baked from; give the pair" +
         made_by(tables.text().recipe, output));
-  save_tables(output, tables);
+  save(output, tables);
 }
 
 void convert(const std::string& input, const std::string& output) {

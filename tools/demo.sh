@@ -1,6 +1,6 @@
 #!/bin/sh
 # The main job, from nothing: installs packages, configures, builds, makes the 1024 x 1024 tables of
-# GGX and of Beckmann with their certificates, and draws samples from them.
+# GGX and of Beckmann with their certificates, bakes them, and draws samples from what was baked.
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -11,5 +11,5 @@ cmake --build --preset release --target tables
 for distribution in ggx beckmann; do
   echo
   echo "Samples of $distribution, seen from 60 degrees, alpha 0.5 x 0.2:"
-  build/tools/vndf sample "build/tables/$distribution.h5" --wi 0.866025,0,0.5 --alpha 0.5,0.2 -n 5
+  build/tools/vndf sample "build/tables/$distribution.vndf" --wi 0.866025,0,0.5 --alpha 0.5,0.2 -n 5
 done

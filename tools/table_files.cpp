@@ -7,9 +7,6 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "io/refusal.h"
-#include "io/whole_file.h"
-
 namespace vndf::tools {
 namespace {
 
@@ -41,15 +38,6 @@ io::TableFile load_pair(const std::string& path) {
                            ": it holds baked tables and not the pair that they are baked from; "
                            "give the pair, a .h5 or .exr file" +
                            made_by(recipe, "pair.h5"));
-}
-
-void save_tables(const std::string& path, const KernelTables& tables) {
-  const auto bytes = tables.bytes();
-  try {
-    io::replace_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-  } catch (const io::Refusal& refusal) {
-    throw std::runtime_error(path + ": " + refusal.what());
-  }
 }
 
 std::optional<std::string> build_recipe(const std::string& recipe, const std::string& output,

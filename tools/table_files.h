@@ -22,10 +22,6 @@ AnyTables load_tables(const std::string& path);
 /// The pair. Throws std::runtime_error, saying how to get it, for baked tables.
 io::TableFile load_pair(const std::string& path);
 
-/// Writes baked tables. Throws std::runtime_error, naming the file; then a file already there is as
-/// it was.
-void save_tables(const std::string& path, const KernelTables& tables);
-
 /// The command that builds what `recipe` does into another file, with these options of baking, for
 /// baked tables are made again by building the pair and baking it in one go. Nothing where `recipe`
 /// is no command line of vndf build.

@@ -1,9 +1,7 @@
 // Bakes the pair of tables and measures what came of it.
 #include "precompute/bake_certified.h"
 
-#include <cstring>
 #include <limits>
-#include <vector>
 
 #include "precompute/measure_certificate.h"
 #include "precompute/row_errors.h"
@@ -30,30 +28,27 @@ Certificate joined(Certificate c, const KernelHeader& header) {
   return c;
 }
 
-/// The same tables, of which the header says that nothing was measured.
-KernelTables marked_as_not_measured(const KernelTables& tables) {
-  std::vector<std::byte> bytes(tables.bytes().begin(), tables.bytes().end());
-  KernelHeader header = tables.header();
-  header.certified = 0;
-  std::memcpy(bytes.data(), &header, sizeof header);
-  header.checksum = kernel_checksum(bytes);
-  std::memcpy(bytes.data(), &header, sizeof header);
-  return KernelTables::copy(bytes);
-}
-
 }  // namespace
 
 KernelTables bake_certified(const UnitSlopes& slopes, const SlopeTables& pair,
                             const BakeOptions& options, const KernelText& text,
                             const Workers& workers) {
   const KernelTables baked = bake(pair, options);
-  return baked.with(measure_certificate(slopes, baked.kernel(), workers), text);
+  return baked.with_certificate(measure_certificate(slopes, baked.kernel(), workers), true)
+      .with_text(text);
+}
+
+KernelTables bake_certified(const SlopeDistribution& distribution, const SlopeTables& pair,
+                            const BakeOptions& options) {
+  KernelText text;
+  text.distribution = distribution.name();
+  return bake_certified(UnitSlopes(distribution, {}), pair, options, text, {});
 }
 
 KernelTables bake_uncertified(const SlopeTables& pair, const Certificate& certificate,
                               const BakeOptions& options, const KernelText& text) {
   const KernelTables baked = bake(pair, options);
-  return marked_as_not_measured(baked.with(joined(certificate, baked.header()), text));
+  return baked.with_certificate(joined(certificate, baked.header()), false).with_text(text);
 }
 
 }  // namespace vndf::precompute

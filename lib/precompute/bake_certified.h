@@ -14,6 +14,10 @@ KernelTables bake_certified(const UnitSlopes& slopes, const SlopeTables& pair,
                             const BakeOptions& options, const KernelText& text,
                             const Workers& workers);
 
+/// The same of the distribution itself, which is integrated again.
+KernelTables bake_certified(const SlopeDistribution& distribution, const SlopeTables& pair,
+                            const BakeOptions& options = {});
+
 /// The same where the law of `pair` cannot be had again: the certificate, marked as not measured,
 /// is that of the pair with the differences from it added. Of the density and of the tails these
 /// tell nothing.

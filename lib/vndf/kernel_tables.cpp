@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <bit>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <new>
+#include <random>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -364,12 +366,12 @@ KernelTables KernelTables::with_text(const KernelText& text) const {
   return {owner, own};
 }
 
-KernelTables KernelTables::with_certificate(const Certificate& certificate) const {
+KernelTables KernelTables::with_certificate(const Certificate& certificate, bool measured) const {
   const auto owner = aligned_bytes(bytes_.size());
   std::copy(bytes_.begin(), bytes_.end(), owner.get());
   const std::span<std::byte> own(owner.get(), bytes_.size());
   change_header(own, [&](KernelHeader& h) {
-    h.certified = 1;
+    h.certified = measured ? 1 : 0;
     std::size_t k = 0;
     for_each_figure(certificate,
                     [&](const std::string&, double figure) { h.certificate[k++] = figure; });
@@ -386,6 +388,28 @@ KernelTables KernelTables::with_differences(double x, double y) const {
     h.difference_y = y;
   });
   return {owner, own};
+}
+
+void save(const std::filesystem::path& path, const KernelTables& tables) {
+  // Under another name in the same folder first, for a rename replaces a file at once or not at
+  // all.
+  std::random_device random;
+  const std::filesystem::path temporary = path.string() + "." + std::to_string(random()) + ".tmp";
+  const auto fail_with = [&](const std::string& why) {
+    std::error_code ignored;
+    std::filesystem::remove(temporary, ignored);
+    throw KernelTablesError(path.string() + ": cannot be written (" + why +
+                            "); give a name in a folder that can be written to");
+  };
+  std::ofstream file(temporary, std::ios::binary);
+  const auto bytes = tables.bytes();
+  file.write(reinterpret_cast<const char*>(bytes.data()),
+             static_cast<std::streamsize>(bytes.size()));
+  file.close();
+  if (!file) fail_with(std::strerror(errno));
+  std::error_code error;
+  std::filesystem::rename(temporary, path, error);
+  if (error) fail_with(error.message());
 }
 
 bool is_kernel_file(const std::filesystem::path& path) {

@@ -105,15 +105,11 @@ class KernelTables {
   /// The sampler. It refers to the bytes and does not own them.
   Kernel kernel() const;
 
-  /// The same tables with a certificate, measured against the exact law; with the largest
-  /// differences from their pair; with other texts.
-  KernelTables with_certificate(const Certificate& certificate) const;
+  /// The same tables with a certificate, which says whether it was measured against the exact law;
+  /// with the largest differences from their pair; with other texts.
+  KernelTables with_certificate(const Certificate& certificate, bool measured) const;
   KernelTables with_differences(double x, double y) const;
   KernelTables with_text(const KernelText& text) const;
-  /// The first two at once.
-  KernelTables with(const Certificate& certificate, const KernelText& text) const {
-    return with_certificate(certificate).with_text(text);
-  }
 
  private:
   KernelTables(std::shared_ptr<const std::byte> owner, std::span<const std::byte> bytes)
@@ -131,6 +127,10 @@ struct LoadOptions {
 /// Reads a file of baked tables. Throws KernelTablesError, with the name of the file, if it cannot
 /// be read, is no such file or its certificate admits a larger error than `options` allow.
 KernelTables load(const std::filesystem::path& path, const LoadOptions& options = {});
+
+/// Writes the bytes of `tables` as a file. Throws KernelTablesError, with the name of the file, on
+/// any failure; then nothing is left behind and a file already at `path` is as it was.
+void save(const std::filesystem::path& path, const KernelTables& tables);
 
 /// Whether the file begins as one of baked tables.
 bool is_kernel_file(const std::filesystem::path& path);

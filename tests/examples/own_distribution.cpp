@@ -1,7 +1,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "io/table_file.h"
+#include "precompute/bake_certified.h"
 #include "precompute/build_tables.h"
 
 class StudentT final : public vndf::precompute::SlopeDistribution {
@@ -11,8 +11,9 @@ class StudentT final : public vndf::precompute::SlopeDistribution {
 };
 
 int main(int, char** argv) {
-  const auto built = vndf::precompute::build_tables(StudentT(), {.layout = {.rows = 256, .columns = 256}});
-  vndf::io::save(argv[1],
-                 {built.tables, {"own_distribution", "own_distribution"}, built.certificate});
-  std::cout << "max u-error " << built.certificate.marginal.max_u_error << '\n';
+  const StudentT law;
+  const auto pair = vndf::precompute::build_tables(law).tables;
+  const auto baked = vndf::precompute::bake_certified(law, *pair, {.tolerance = 1e-5});
+  vndf::save(argv[1], baked);
+  std::cout << "max u-error " << baked.certificate().marginal.max_u_error << '\n';
 }
