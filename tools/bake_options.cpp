@@ -9,16 +9,14 @@
 namespace vndf::tools {
 namespace {
 
-constexpr double kLeast = 1e-6, kMost = 1e-2;  // tolerances that bake() takes
-
 CLI::Validator tolerance_rule() {
   const auto positive = positive_number();
   const auto rule = [positive](std::string text) -> std::string {
     const std::string broken = positive(text);
     if (!broken.empty()) return broken;
     const double value = std::stod(text);
-    if (value >= kLeast && value <= kMost) return {};
-    return fmt::format("'{}' is not a number from {} to {}", text, kLeast, kMost);
+    if (value >= kLeastTolerance && value <= kMostTolerance) return {};
+    return fmt::format("'{}' is not a number from {} to {}", text, kLeastTolerance, kMostTolerance);
   };
   return {rule, ""};
 }

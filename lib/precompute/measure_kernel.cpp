@@ -46,19 +46,27 @@ std::vector<Probability<double>> edges_of_keys() {
   return edges;
 }
 
-/// One of the cubics of a draw, which may be followed in double precision.
+double value(const kernel::float4& cubic, double f) {
+  return cubic[0] + f * (cubic[2] + f * (cubic[1] + f * double{cubic[3]}));
+}
+
+/// The power of two by which places of the upper half of an axis are larger.
+double apart(kernel::uint octaves) {
+  return kernel::float_of(0x3f800000u + octaves);
+}
+
+/// One of the cubics of a draw over u, which may be followed in double precision.
 class FollowedCubic {
  public:
   /// Of lane 0, that of u1, or of lane 2.
   FollowedCubic(const VndfTables& tables, const VndfDraw& draw, int lane)
-      : tables_(tables), cubic_(lane == 0 ? draw.marginal : draw.conditional) {
-    upper_ = draw.upper[lane] != 0;
-    const kernel::uint octaves = tables.column_upper - kernel::kVndfSign;
-    if (lane == 0 && upper_) apart_ = kernel::float_of(0x3f800000u + octaves);
-    start_ = double{draw.places[lane]} - double{draw.f[lane]};
-    // Of u2 alone, and where rows of y are needed.
-    mirrored_ = lane == 2 && tables.separable == 0 && draw.places[2] > tables.column_span / 2;
-    if (mirrored_) apart_ = kernel::float_of(0x3f800000u + tables.column_mirror);
+      : tables_(tables),
+        cubic_(lane == 0 ? draw.marginal : draw.conditional),
+        upper_(draw.upper[lane] != 0),
+        start_(double{draw.places[lane]} - double{draw.f[lane]}) {
+    if (lane == 0 && upper_) apart_ = apart(tables.column_upper - kernel::kVndfSign);
+    mirrored_ = lane != 0 && tables.separable == 0 && draw.places[lane] > tables.column_span / 2;
+    if (mirrored_) apart_ = apart(tables.column_mirror);
   }
 
   bool upper() const { return upper_; }
@@ -67,8 +75,7 @@ class FollowedCubic {
     const double q = upper_ ? u.complement : u.u;
     const double p =
         tables_.column_roots != 0 ? std::sqrt(2 * q) + double{tables_.column_offset} : q;
-    const double f = apart_ * (mirrored_ ? double{tables_.column_span} - p : p) - start_;
-    return cubic_[0] + f * (cubic_[2] + f * (cubic_[1] + f * double{cubic_[3]}));
+    return value(cubic_, apart_ * (mirrored_ ? tables_.column_span - p : p) - start_);
   }
 
  private:
@@ -78,16 +85,32 @@ class FollowedCubic {
   double apart_ = 1, start_;
 };
 
-/// The map of a draw, followed in double precision.
-double followed_map(const VndfTables& t, const VndfDraw& draw, double s) {
-  const double start = double{kernel::vndf_slope_place(t, draw.s)} - double{draw.map_f};
-  const double w = double{t.slope_middle} - s;
-  const double apart = draw.s > t.slope_middle ? kernel::float_of(0x3f800000u + t.slope_upper) : 1;
-  const double p = std::min(std::abs(w) + double{t.slope_offset}, double{t.slope_most});
-  const double f = apart * p - start;
-  const auto& c = draw.map;
-  return c[0] + f * (c[2] + f * (c[1] + f * double{c[3]}));
-}
+/// The root of sigma where a draw is and next to it, in double precision: its cubic over u1, and
+/// the map behind it where there is one.
+class FollowedRoot {
+ public:
+  FollowedRoot(const VndfTables& tables, const VndfDraw& draw)
+      : tables_(tables), draw_(draw), over_u_(tables, draw, 0) {}
+
+  double at(const Probability<double>& u) const {
+    const double root = tables_.separable != 0 ? over_u_.at(u) : mapped(over_u_.at(u));
+    return std::clamp(root, double{tables_.least_root}, double{tables_.most_root});
+  }
+
+ private:
+  double mapped(double s) const {
+    const double side = draw_.s > tables_.slope_middle ? 1 : -1;
+    const double far = side > 0 ? apart(tables_.slope_upper) : 1;
+    const double place = far * std::min(side * (s - tables_.slope_middle) + tables_.slope_offset,
+                                        double{tables_.slope_most});
+    const double start = double{kernel::vndf_slope_place(tables_, draw_.s)} - double{draw_.map_f};
+    return value(draw_.map, place - start);
+  }
+
+  const VndfTables& tables_;
+  const VndfDraw& draw_;
+  FollowedCubic over_u_;
+};
 
 /// A slope x that the kernel gives, in its own terms.
 struct KernelSlope {
@@ -137,11 +160,9 @@ class MarginalRow final : public RowMap {
   }
   Probability<double> smooth_cdf(const Probability<double>& u,
                                  const Probability<double>& place) const override {
-    const VndfDraw at = draw(place);
-    const double value = FollowedCubic(tables_, at, 0).at(u);
-    const double root = tables_.separable != 0 ? value : followed_map(tables_, at, value);
-    const double held = std::clamp(root, double{tables_.least_root}, double{tables_.most_root});
-    return cdf_of(held * held);
+    const VndfDraw drawn = draw(place);
+    const double root = FollowedRoot(tables_, drawn).at(u);
+    return cdf_of(root * root);
   }
 
  private:

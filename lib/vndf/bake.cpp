@@ -505,8 +505,8 @@ void put_conditional(KernelBlock& block, KernelHeader& h, const Plan& plan,
 }
 
 KernelHeader header_of(const Plan& plan, const PairSlopes& slopes, const SlopeTables& pair) {
-  // Slopes are followed to -1e29 and to 4e6 times U; the normal of the first is not horizontal yet.
-  constexpr float kLeastRoot = 3e-15f, kMostRoot = 1 - 0x1p-23f;
+  // Slopes are followed to -5e31 and to 4e6 times U; the normal of the first is not horizontal yet.
+  constexpr float kLeastRoot = 1e-16f, kMostRoot = 1 - 0x1p-23f;
   KernelHeader h{};
   std::memcpy(h.magic, kKernelMagic, sizeof h.magic);
   h.version = kKernelVersion;

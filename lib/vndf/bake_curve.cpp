@@ -37,6 +37,9 @@ class Segment {
     }
   }
 
+  /// Whether a cell of one key follows the function too little.
+  bool too_coarse() const { return axis_.too_coarse; }
+
   KernelSegment put(KernelBlock& block) const {
     block.align(16);
     const std::uint32_t first = block.at();
@@ -76,6 +79,9 @@ class Segment {
   }
 
   bool follows(double begin, double end) const {
+    // Of a longer cell all places would be far from its beginning.
+    constexpr double kLongest = 4;
+    if (end > kLongest * begin && log2_(slope_at(begin)) >= kNothing) return false;
     const Cubic c = cubic(begin, end);
     return std::ranges::all_of(kPlaces, [&](double f) {
       const double exact = log2_(slope_at(begin + f * (end - begin)));
@@ -85,20 +91,48 @@ class Segment {
   }
 
   CurveSpan span_;
-  const std::function<double(double)>& log2_;
+  std::function<double(double)> log2_;
   double tolerance_;  // of the logarithm; half is left to what lies between the places
   double offset_ = 0;
   Axis axis_;
 };
+
+/// Segments of one span, halved to its end where keys are too coarse: those of a segment crowd at
+/// its beginning alone, and a density that falls to 0 at a rim bends most at its end.
+std::vector<Segment> segments_of(CurveSpan span, const std::function<double(double)>& log2,
+                                 double tolerance) {
+  constexpr double kNarrowest = 0x1p-20;
+  const double narrowest = kNarrowest * (span.end - span.begin);
+  std::vector<Segment> segments;
+  for (;;) {
+    const Segment rest(span, log2, tolerance);
+    const double middle = static_cast<float>((span.begin + span.end) / 2);
+    if (!rest.too_coarse() || span.end - span.begin < narrowest) {
+      segments.push_back(rest);
+      return segments;
+    }
+    segments.emplace_back(CurveSpan{span.begin, middle}, log2, tolerance);
+    span.begin = middle;
+  }
+}
+
+/// The end `x` of a span, moved towards `inside` where its rounding has left the curve.
+double held_inside(float x, float inside, const std::function<double(double)>& log2) {
+  constexpr int kSteps = 4;
+  for (int k = 0; k < kSteps && !std::isfinite(log2(double{x})); ++k) x = std::nextafter(x, inside);
+  return x;
+}
 
 }  // namespace
 
 std::vector<CurveSpan> spans_of(const LogCurve<double>& curve, double unit,
                                 const std::function<double(double)>& log2) {
   std::vector<CurveSpan> spans;
-  for (const auto& segment : curve.segments())
-    spans.push_back({static_cast<float>(std::sinh(segment.begin) / unit),
-                     static_cast<float>(std::sinh(segment.end) / unit)});
+  for (const auto& segment : curve.segments()) {
+    const auto begin = static_cast<float>(std::sinh(segment.begin) / unit),
+               end = static_cast<float>(std::sinh(segment.end) / unit);
+    spans.push_back({held_inside(begin, end, log2), held_inside(end, begin, log2)});
+  }
   // Beyond the end of the last span the kernel has nothing.
   double& end = spans.back().end;
   while (curve.open() && end < kernel::kVndfFarthest && log2(end) > kNothing)
@@ -109,7 +143,9 @@ std::vector<CurveSpan> spans_of(const LogCurve<double>& curve, double unit,
 kernel::VndfCurve put_curve(KernelBlock& block, const std::vector<CurveSpan>& spans,
                             const std::function<double(double)>& log2, double tolerance) {
   std::vector<KernelSegment> segments;
-  for (const CurveSpan& span : spans) segments.push_back(Segment(span, log2, tolerance).put(block));
+  for (const CurveSpan& span : spans)
+    for (const Segment& segment : segments_of(span, log2, tolerance))
+      segments.push_back(segment.put(block));
   block.align(16);
   const kernel::VndfCurve written{block.at(), static_cast<std::uint32_t>(segments.size())};
   for (const KernelSegment& segment : segments) block.put(segment);

@@ -111,6 +111,7 @@ class Checker {
       return require_keys(h.conditional, key(low, h.conditional), key(high, h.conditional));
     const float middle = h.column_span / 2;
     require(middle > low && middle < high, "the middle of the columns is not between their ends");
+    require(h.column_span - high >= low, "the mirror of a column is before the first");
     require_apart(h.column_mirror);
     for (const std::uint32_t mirrored : {0u, h.column_mirror})
       require_keys(h.conditional, key(raised(low, mirrored), h.conditional),

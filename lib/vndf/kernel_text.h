@@ -458,7 +458,9 @@ VNDF_FUNCTION float vndf_curve(VNDF_IN(VndfTables) t, VndfCurve curve, float pla
       float offset = fetch_guide(t.block, at + 16u).start;
       VndfCell cell = vndf_cell(t, begin.offset, end.offset, (x - begin.start) + offset);
       float4 cubic = fetch4(t.block, cell.offset, 0u);
-      return power_of_two(vndf_value(cubic, cell.f));
+      // The square of a far place would overflow.
+      float rest = cubic[2] + cell.f * (cubic[1] + cell.f * cubic[3]);
+      return power_of_two(cubic[0] + cell.f * rest);
     }
   }
   return 0.0f;
