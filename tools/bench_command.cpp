@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "arguments.h"
-#include "bench/entrants.h"
+#include "bench/cases.h"
 #include "bench/speed_plot.h"
 #include "bench/speed_report.h"
 #include "commands.h"
@@ -25,8 +25,9 @@ struct BenchArguments {
 };
 
 /// What --quick leaves: enough to see that everything runs, too little to trust a figure.
-void make_quick(bench::FieldOptions& field, bench::SpeedOptions& speed) {
-  field.sides = {16, 64};
+void make_quick(bench::CaseOptions& cases, bench::SpeedOptions& speed) {
+  cases.sides = {16, 64};
+  cases.tolerances = {1e-4};
   speed.collect.seconds = 1e-3;
   speed.samples = std::size_t{1} << 16;
 }
@@ -36,14 +37,16 @@ void run_bench(const BenchArguments& arguments) {
   const std::string terminal = arguments.plot.empty() ? "" : terminal_for(arguments.plot);
   for (const std::string& name : {arguments.json, arguments.plot})
     if (!name.empty()) require_output(name);
-  bench::FieldOptions field{.distributions = arguments.distributions};
-  bench::SpeedOptions speed{.collect = {.repetitions = arguments.repetitions}, .program = kProgram};
+  bench::CaseOptions cases{.distributions = arguments.distributions};
+  bench::SpeedOptions speed;
+  speed.program = kProgram;
+  speed.collect.repetitions = arguments.repetitions;
   if (isatty(STDERR_FILENO) != 0)
-    speed.progress = [](const std::string& what) { std::cerr << what << '\n'; };
-  if (arguments.quick) make_quick(field, speed);
+    speed.collect.progress = [](const std::string& what) { std::cerr << what << '\n'; };
+  if (arguments.quick) make_quick(cases, speed);
 
   const auto report =
-      bench::measure_speed(bench::chosen(bench::entrants(field), arguments.only), speed);
+      bench::measure_speed(bench::chosen(bench::all_cases(cases), arguments.only), speed);
   std::cout << bench::describe(report);
   if (!arguments.json.empty()) write_json(arguments.json, bench::to_json(report));
   if (!terminal.empty())
@@ -63,12 +66,12 @@ void add_bench(CLI::App& app) {
       ->capture_default_str();
   command
       ->add_option("--repetitions", arguments->repetitions,
-                   "Repetitions of each timing, whose median counts")
+                   "Rounds, each of which times every sampler once")
       ->check(whole_number(1, 1000000))
       ->capture_default_str();
   command->add_option("--json", arguments->json, "Write all figures to this file");
   command->add_option("--plot", arguments->plot,
-                      "Draw speed against error: .svg or .png (needs gnuplot)");
+                      "Draw speed against size: .svg or .png (needs gnuplot)");
   command->add_flag("--quick", arguments->quick,
                     "Few sizes, short timings: to see that it runs, not for figures");
   command->callback([arguments] { run_bench(*arguments); });

@@ -4,10 +4,10 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <ctime>
 #include <fstream>
-#include <map>
-#include <memory>
+#include <set>
 #include <stdexcept>
 
 #include "bench/pareto.h"
@@ -29,43 +29,80 @@ constexpr const char* kCompiler = "clang " __clang_version__;
 constexpr const char* kCompiler = "gcc " __VERSION__;
 #endif
 
-Circumstances circumstances(const SpeedOptions& options, std::size_t samples) {
+/// The timings of a case, in the order in which entries_of() expects them.
+void add_trials(std::vector<Trial>& trials, const Runner& r, Pollution& pollution,
+                SampleInputs& inputs) {
+  const auto add = [&trials](auto run) { trials.push_back({run, SampleInputs::kBlock}); };
+  add([&r, &inputs] { r.coherent(kCoherentWi, kCoherentAlpha, inputs.next()); });
+  add([&r, &inputs] { r.incoherent(inputs.next()); });
+  if (r.chained) add([&r, &inputs] { r.chained(inputs.next()); });
+  if (r.polluted) {
+    add([&r, &inputs, &pollution] { r.polluted(inputs.next(), pollution); });
+    trials.back().overhead = [&inputs, &pollution, empty = scalar_runs<float>(EmptySampler())] {
+      empty.polluted(inputs.next(), pollution);
+    };
+  }
+  if (r.setup) trials.push_back({r.setup});
+}
+
+std::vector<SpeedEntry> entries_of(const std::vector<Case>& cases,
+                                   const std::vector<Runner>& runners,
+                                   const std::vector<Timing>& timings) {
+  std::vector<SpeedEntry> entries;
+  auto next = timings.begin();
+  for (std::size_t k = 0; k < cases.size(); ++k) {
+    const Case& c = cases[k];
+    const Runner& r = runners[k];
+    SpeedEntry entry{c.name, c.distribution, c.kind, r.bytes, r.build_seconds, r.errors};
+    entry.coherent = *next++;
+    entry.incoherent = *next++;
+    if (r.chained) entry.chain = *next++;
+    if (r.polluted) entry.polluted = *next++;
+    if (r.setup) entry.setup = *next++;
+    entries.push_back(entry);
+  }
+  return entries;
+}
+
+double spread(const Timing& t) {
+  return t.median / t.lowest;
+}
+
+Environment environment_of(const SpeedOptions& options, std::size_t samples, double share,
+                           const SpeedEntry& baseline) {
   return {options.program,
           processor(),
           kCompiler,
           VNDF_BENCH_FLAGS,
           fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))),
           samples,
-          options.collect.repetitions};
+          options.collect.repetitions,
+          share,
+          std::max(spread(baseline.coherent), spread(baseline.incoherent))};
 }
 
-/// The trials of contestant `c`: coherent, incoherent and, if it has files, setup.
-void add_trials(std::vector<Trial>& trials, const Contestant& c,
-                const std::shared_ptr<SampleInputs>& inputs) {
-  const auto coherent = [&run = c.coherent, inputs] {
-    run(kCoherentWi, kCoherentAlpha, inputs->next());
-  };
-  const auto incoherent = [&run = c.incoherent, inputs] { run(inputs->next()); };
-  trials.push_back({coherent, SampleInputs::kBlock});
-  trials.push_back({incoherent, SampleInputs::kBlock});
-  if (c.setup) trials.push_back({c.setup});
-}
-
-std::vector<SpeedEntry> entries_of(const std::vector<Entrant>& entrants,
-                                   const std::vector<Contestant>& contestants,
-                                   const std::vector<Timing>& timings) {
-  std::vector<SpeedEntry> entries;
-  auto next = timings.begin();
-  for (std::size_t k = 0; k < entrants.size(); ++k) {
-    const Entrant& e = entrants[k];
-    const Contestant& c = contestants[k];
-    SpeedEntry entry{e.name, e.distribution, e.kind, e.side, c.bytes, c.build_seconds, c.errors};
-    entry.coherent = *next++;
-    entry.incoherent = *next++;
-    if (c.setup) entry.setup = *next++;
-    entries.push_back(entry);
+std::vector<Runner> make_all(const std::vector<Case>& cases, const SpeedOptions& options) {
+  std::vector<Runner> runners;
+  for (const Case& c : cases) {
+    if (options.collect.progress)
+      options.collect.progress(
+          fmt::format("making {} of {}: {}", runners.size() + 1, cases.size(), c.name));
+    runners.push_back(c.make());
   }
-  return entries;
+  return runners;
+}
+
+Ratio ratio(const Timing& time, const Timing& baseline) {
+  std::vector<double> rounds;
+  for (std::size_t k = 0; k < time.rounds.size(); ++k)
+    rounds.push_back(time.rounds[k] / baseline.rounds[k]);
+  return {time.median / baseline.median, time.lowest / baseline.lowest, median(rounds)};
+}
+
+std::optional<Ratio> ratio(const std::optional<Timing>& time,
+                           const std::optional<Timing>& baseline) {
+  if (!time || !baseline) return {};
+  return ratio(*time, *baseline);
 }
 
 void mark_front(std::vector<SpeedEntry>& entries, const std::string& distribution) {
@@ -89,14 +126,35 @@ std::string size_of(std::size_t bytes) {
   return kib < 1024 ? fmt::format("{:.1f} KiB", kib) : fmt::format("{:.1f} MiB", kib / 1024);
 }
 
+/// Two cells: nanoseconds, and the ratios of medians and of lowest times.
+std::string cells_of(const std::optional<Timing>& time, const std::optional<Ratio>& ratio) {
+  if (!time || !ratio) return "- | -";
+  return fmt::format("{:.1f} | {:.2f} / {:.2f}", time->median * 1e9, ratio->of_medians,
+                     ratio->of_lowest);
+}
+
+constexpr const char* kHead =
+    "\n| sampler | bytes | build, s | setup, ms | coherent, ns | ratio | incoherent, ns | ratio "
+    "| chain, ns | ratio | polluted, ns | ratio | u-error | density error | tail ratio |\n"
+    "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+
 std::string row_of(const SpeedEntry& e) {
   const std::string setup = e.setup ? fmt::format("{:.2f}", e.setup->median * 1e3) : "-";
   const std::string build = e.build_seconds > 0 ? fmt::format("{:.2f}", e.build_seconds) : "-";
-  return fmt::format("| {}{} | {} | {} | {} | {:.1f} | {:.1f} | {:.2f} | {:.2f} | {} | {} | {} |\n",
-                     e.name, e.on_front ? " *" : "", size_of(e.bytes), build, setup,
-                     e.coherent.median * 1e9, e.incoherent.median * 1e9, e.coherent_ratio,
-                     e.incoherent_ratio, dash_or(e.errors.u, "{:.1e}"),
+  return fmt::format("| {}{} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", e.name,
+                     e.on_front ? " *" : "", size_of(e.bytes), build, setup,
+                     cells_of(e.coherent, e.coherent_ratio),
+                     cells_of(e.incoherent, e.incoherent_ratio), cells_of(e.chain, e.chain_ratio),
+                     cells_of(e.polluted, e.polluted_ratio), dash_or(e.errors.u, "{:.1e}"),
                      dash_or(e.errors.density, "{:.1e}"), dash_or(e.errors.tail_ratio, "{:.3g}"));
+}
+
+std::string busy_line(const Environment& at) {
+  if (!busy(at)) return "";
+  return fmt::format(
+      "The machine was busy, do not trust the figures: the run had {:.1f} % of a processor, and "
+      "the baseline's median is {:.2f} times its lowest time.\n",
+      at.processor_share * 100, at.baseline_spread);
 }
 
 nlohmann::ordered_json number_or_null(const std::optional<double>& value) {
@@ -109,6 +167,14 @@ nlohmann::ordered_json to_json(const Timing& t, double scale) {
       {"median", t.median * scale}, {"lowest", t.lowest * scale}, {"highest", t.highest * scale}};
 }
 
+nlohmann::ordered_json to_json_or_null(const std::optional<Timing>& time, double scale) {
+  return time ? to_json(*time, scale) : nlohmann::ordered_json();
+}
+
+nlohmann::ordered_json to_json_or_null(const std::optional<Ratio>& ratio) {
+  return ratio ? nlohmann::ordered_json(ratio->of_medians) : nlohmann::ordered_json();
+}
+
 nlohmann::ordered_json to_json(const SpeedEntry& e) {
   return {{"name", e.name},
           {"distribution", e.distribution},
@@ -117,9 +183,17 @@ nlohmann::ordered_json to_json(const SpeedEntry& e) {
           {"build_seconds", e.build_seconds},
           {"coherent_ns", to_json(e.coherent, 1e9)},
           {"incoherent_ns", to_json(e.incoherent, 1e9)},
-          {"coherent_ratio", e.coherent_ratio},
-          {"incoherent_ratio", e.incoherent_ratio},
-          {"setup_ms", e.setup ? to_json(*e.setup, 1e3) : nlohmann::ordered_json()},
+          {"coherent_ratio", e.coherent_ratio.of_medians},
+          {"incoherent_ratio", e.incoherent_ratio.of_medians},
+          {"coherent_lowest_ratio", e.coherent_ratio.of_lowest},
+          {"incoherent_lowest_ratio", e.incoherent_ratio.of_lowest},
+          {"coherent_round_ratio", e.coherent_ratio.in_rounds},
+          {"incoherent_round_ratio", e.incoherent_ratio.in_rounds},
+          {"chain_ns", to_json_or_null(e.chain, 1e9)},
+          {"chain_ratio", to_json_or_null(e.chain_ratio)},
+          {"polluted_ns", to_json_or_null(e.polluted, 1e9)},
+          {"polluted_ratio", to_json_or_null(e.polluted_ratio)},
+          {"setup_ms", to_json_or_null(e.setup, 1e3)},
           {"u_error", number_or_null(e.errors.u)},
           {"density_error", number_or_null(e.errors.density)},
           {"tail_ratio", number_or_null(e.errors.tail_ratio)},
@@ -128,57 +202,62 @@ nlohmann::ordered_json to_json(const SpeedEntry& e) {
 
 }  // namespace
 
-SpeedReport measure_speed(const std::vector<Entrant>& entrants, const SpeedOptions& options) {
-  if (entrants.empty()) throw std::invalid_argument("no sampler to time; give one or more");
-  const auto tell = [&options](const std::string& what) {
-    if (options.progress) options.progress(what);
-  };
-  std::vector<Contestant> contestants;
-  for (const Entrant& e : entrants) {
-    tell(fmt::format("making {} of {}: {}", contestants.size() + 1, entrants.size(), e.name));
-    contestants.push_back(e.make());
-  }
-  const auto inputs = std::make_shared<SampleInputs>(options.samples > 0 ? options.samples
-                                                                         : samples_beyond_caches());
-  std::vector<Trial> trials;
-  for (const Contestant& c : contestants) add_trials(trials, c, inputs);
-  tell(fmt::format("timing {} samplers", entrants.size()));
-  const std::vector<Timing> timings = collect(trials, options.collect);
+bool busy(const Environment& environment) {
+  return environment.processor_share < kQuietShare || environment.baseline_spread > kQuietSpread;
+}
 
-  SpeedReport report{circumstances(options, inputs->size()),
-                     entries_of(entrants, contestants, timings)};
+SpeedReport measure_speed(const std::vector<Case>& cases, const SpeedOptions& options) {
+  if (cases.empty()) throw std::invalid_argument("no sampler to time; give one or more");
+  const std::vector<Runner> runners = make_all(cases, options);
+  SampleInputs inputs(options.samples > 0 ? options.samples : samples_beyond_caches());
+  Pollution pollution;
+  std::vector<Trial> trials;
+  for (const Runner& r : runners) add_trials(trials, r, pollution, inputs);
+  const Collection collected = collect(trials, options.collect);
+
+  SpeedReport report{{}, entries_of(cases, runners, collected.timings)};
   compare(report.entries);
+  report.environment =
+      environment_of(options, inputs.size(), collected.processor_share, report.entries.front());
   return report;
 }
 
 void compare(std::vector<SpeedEntry>& entries) {
-  std::map<std::string, bool> seen;
+  const SpeedEntry& baseline = entries.front();
+  std::set<std::string> distributions;
   for (SpeedEntry& e : entries) {
-    e.coherent_ratio = e.coherent.median / entries.front().coherent.median;
-    e.incoherent_ratio = e.incoherent.median / entries.front().incoherent.median;
+    e.coherent_ratio = ratio(e.coherent, baseline.coherent);
+    e.incoherent_ratio = ratio(e.incoherent, baseline.incoherent);
+    e.chain_ratio = ratio(e.chain, baseline.chain);
+    e.polluted_ratio = ratio(e.polluted, baseline.polluted);
     e.on_front = false;
+    distributions.insert(e.distribution);
   }
-  for (const SpeedEntry& e : entries)
-    if (seen.emplace(e.distribution, true).second) mark_front(entries, e.distribution);
+  for (const std::string& distribution : distributions) mark_front(entries, distribution);
 }
 
 std::string describe(const SpeedReport& report) {
-  const Circumstances& at = report.circumstances;
+  const Environment& at = report.environment;
   std::string text = fmt::format(
-      "{}, {}, {}, {}; {} samples, medians of {} repetitions.\n"
-      "Nanoseconds of one thread per sample; ratios to {}, in the same run; * is on the front of\n"
-      "incoherent speed and u-error.\n\n"
-      "| sampler | bytes | build, s | setup, ms | coherent, ns | incoherent, ns | ratio, coherent "
-      "| ratio, incoherent | u-error | density error | tail ratio |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|\n",
-      at.processor, at.compiler, at.flags, at.date, at.samples, at.repetitions,
-      report.entries.front().name);
-  for (const SpeedEntry& e : report.entries) text += row_of(e);
+      "{}, {}, {}, {}; {} samples, {} repetitions.\n"
+      "{}Medians of nanoseconds of one thread per sample; ratios, of medians / of lowest times, "
+      "to\n"
+      "{}, in the same run. In a chain each sample waits for the one before; polluted:\n"
+      "the same, {} cache lines of {} MiB being read between samples, less what that takes by\n"
+      "itself. * is on the front of incoherent speed and u-error.\n",
+      at.processor, at.compiler, at.flags, at.date, at.samples, at.repetitions, busy_line(at),
+      report.entries.front().name, Pollution::kLinesPerSample, Pollution::kBytes >> 20);
+  std::string group;
+  for (const SpeedEntry& e : report.entries) {
+    if (e.distribution != group) text += kHead;
+    group = e.distribution;
+    text += row_of(e);
+  }
   return text;
 }
 
 nlohmann::ordered_json to_json(const SpeedReport& report) {
-  const Circumstances& at = report.circumstances;
+  const Environment& at = report.environment;
   nlohmann::ordered_json entries = nlohmann::ordered_json::array();
   for (const SpeedEntry& e : report.entries) entries.push_back(to_json(e));
   return {{"program", at.program},
@@ -188,6 +267,9 @@ nlohmann::ordered_json to_json(const SpeedReport& report) {
           {"date", at.date},
           {"samples", at.samples},
           {"repetitions", at.repetitions},
+          {"busy", busy(at)},
+          {"processor_share", at.processor_share},
+          {"baseline_spread", at.baseline_spread},
           {"baseline", report.entries.front().name},
           {"entries", entries}};
 }

@@ -1,0 +1,44 @@
+// Where the labels of a picture go so that none lies on another or on a mark.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace vndf::bench {
+
+struct Place {
+  double x, y;
+};
+
+struct Box {
+  double left, bottom, right, top;
+};
+
+/// The box of a width and a height around its middle.
+Box box_around(const Place& middle, double width, double height);
+
+/// Whether they share more than an edge.
+bool overlap(const Box& a, const Box& b);
+
+/// Greedy: what has a place keeps it.
+class LabelPlaces {
+ public:
+  explicit LabelPlaces(const Box& bounds) : bounds_(bounds) {}
+
+  /// Keeps labels away from `taken`, as from a mark.
+  void take(const Box& taken) { taken_.push_back(taken); }
+
+  /// The first of the candidates for the middle of a label at which it lies within the bounds and
+  /// on nothing taken; it is taken then. None if there is none.
+  std::optional<Place> put(const std::vector<Place>& candidates, double width, double height);
+
+  /// The same for a label beside a mark of `radius` at `mark`: to its sides, then to its corners,
+  /// then farther away.
+  std::optional<Place> put_beside(const Place& mark, double radius, double width, double height);
+
+ private:
+  Box bounds_;
+  std::vector<Box> taken_;
+};
+
+}  // namespace vndf::bench
