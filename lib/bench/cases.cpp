@@ -171,7 +171,7 @@ struct Source {
     if (!small) return fast;
     return builds->get(kernel_name(spec, tolerance, true), [&] {
       try {
-        return bake(fast->value.sampling_bytes() - 1);
+        return bake(fast->value.sampling_bytes() * 3 / 4);
       } catch (const BakeError&) {
         return fast->value;  // nothing is smaller
       }
