@@ -16,9 +16,14 @@ using vndf::test::contains;
 
 namespace {
 
+/// Whether the sampler of this name draws many normals at a time, of which none waits for another.
+bool draws_many(const std::string& name) {
+  return name.find("batched") != std::string::npos || name.find("prepared") != std::string::npos;
+}
+
 /// What --quick does, and quicker.
 CaseOptions few() {
-  return {.distributions = {"ggx"}, .sides = {16}};
+  return {.distributions = {"ggx"}, .sides = {16}, .tolerances = {1e-4}};
 }
 
 SpeedReport quick_run() {
@@ -79,14 +84,16 @@ void check_timing(const nlohmann::json& t) {
 
 }  // namespace
 
-TEST_CASE("the cases are the baseline first, then references, literal and linear tables") {
+TEST_CASE("the cases are the baseline first, then references, tables and kernels") {
   const auto list = all_cases(CaseOptions());
   CHECK(list.front().kind == Kind::baseline);
   std::set<std::string> names;
   for (const Case& c : list) names.insert(c.name);
   CHECK(names.size() == list.size());
   for (const std::string& d : kUsualDistributions)
-    for (const char* what : {" literal 1024", " linear 16"}) CHECK(names.count(d + what) == 1);
+    for (const char* what : {" literal 1024", " linear 64", " kernel 1e-05", " kernel 0.0001 small",
+                             " kernel 1e-05, batched"})
+      CHECK(names.count(d + what) == 1);
   CHECK(names.count("beckmann analytic") == 1);
   CHECK(names.count("ggx caps") == 1);
 }
@@ -148,7 +155,7 @@ TEST_CASE("every run of every sampler writes a unit normal for every sample") {
     check("coherent");
     r.incoherent(b);
     check("incoherent");
-    const bool batch = c.name.find("batched") != std::string::npos;
+    const bool batch = draws_many(c.name);
     CHECK(bool(r.chained) == !batch);
     CHECK(bool(r.polluted) == !batch);
     if (batch) continue;
@@ -170,12 +177,12 @@ TEST_CASE("a run yields every figure of every sampler") {
       CHECK(r.of_lowest > 0);
       CHECK(r.in_rounds > 0);
     }
-    const bool batch = e.name.find("batched") != std::string::npos;
+    const bool batch = draws_many(e.name);
     CHECK(e.chain.has_value() == !batch);
     CHECK(e.chain_ratio.has_value() == !batch);
     CHECK(e.polluted.has_value() == !batch);
     CHECK(e.polluted_ratio.has_value() == !batch);
-    const bool stored = e.kind == Kind::table;
+    const bool stored = e.kind == Kind::table || e.kind == Kind::kernel;
     const bool measured = stored || e.kind == Kind::literal;
     CHECK(e.setup.has_value() == stored);
     CHECK((e.bytes > 0) == measured);
@@ -268,12 +275,12 @@ TEST_CASE("the JSON holds where, how and every figure; null where there is none"
          {"bytes", "build_seconds", "coherent_ratio", "incoherent_ratio", "coherent_lowest_ratio",
           "incoherent_lowest_ratio", "coherent_round_ratio", "incoherent_round_ratio"})
       CHECK(e.at(key).is_number());
-    const bool batch = e.at("name").get<std::string>().find("batched") != std::string::npos;
+    const bool batch = draws_many(e.at("name"));
     for (const char* key : {"chain_ns", "chain_ratio", "polluted_ns", "polluted_ratio"})
       CHECK(e.at(key).is_null() == batch);
     for (const char* key : {"u_error", "density_error", "tail_ratio"})
       CHECK((e.at(key).is_number() || e.at(key).is_null()));
-    if (e.at("kind") == "table")
+    if (e.at("kind") == "table" || e.at("kind") == "kernel")
       check_timing(e.at("setup_ms"));
     else
       CHECK(e.at("setup_ms").is_null());

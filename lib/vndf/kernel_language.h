@@ -1,7 +1,8 @@
 // What kernel_text.h is written in, for C++ (and CUDA): a vector of four floats, bit casts, and
 // fetches from the block of tables, each under a name that another language can give to its own.
 // Compiler vectors are used where there are any and VNDF_PORTABLE is not defined; the portable
-// struct computes the same bits, operation by operation.
+// struct computes the same bits, operation by operation. It is to be defined for a whole program or
+// not at all: functions of both kinds have the same names.
 #pragma once
 
 #include <bit>
