@@ -95,7 +95,14 @@ Surface marginal_surface(const PairSlopes& slopes, bool upper) {
 /// Over the places |s - s0| of one half.
 Surface conditional_surface(const PairSlopes& slopes, bool upper) {
   return {[&slopes, upper](double place) { return slopes.slope_at(s_at(slopes, place, upper)); },
-          [&slopes](double x, double q) { return slopes.conditional(x, q); }};
+          // The same row is asked for many q in a row.
+          [&slopes, last = -1.0, row = PairSlopes::ConditionalRow{}](double x, double q) mutable {
+            if (x != last) {
+              row = slopes.conditional_row(x);
+              last = x;
+            }
+            return slopes.conditional(row, q);
+          }};
 }
 
 Node node_at(const Surface& surface, const Columns& columns, double row, double p) {

@@ -100,21 +100,23 @@ double PairSlopes::most_s() const {
   return pair_.marginal.lookup(direction_row(0), column);
 }
 
-Node PairSlopes::conditional(double x, double q) const {
+PairSlopes::ConditionalRow PairSlopes::conditional_row(double x) const {
   const auto bounded = bounded_from_slope(x * unit_);
-  const double row = conditional_rows_.row(conditional_base(bounded));
-  const double column = conditional_column(Probability<double>{1 - 2 * q, 2 * q});
-  const double t = std::max(column, kLeastColumn);
-  const double v = pair_.conditional.lookup(row, column);
-  const double rate = -2 * pair_.conditional.lookup_with_derivative(row, t).derivative /
-                      conditional_column_rate(t);  // dv / dq
-  const double e = (1 - v) * (1 + v);
   const ConditionalScale<double> pair_scale{pair_.conditional_constant,
                                             pair_.conditional_quadratic};
   const double scale =
       pair_scale.at({bounded.numerator(), bounded.denominator()}) / bounded.denominator();
-  const double factor = scale / (unit_ * scale_.at(x));
-  return {-factor * 2 * v / e, -factor * 2 * (1 + v * v) / (e * e) * rate};
+  return {conditional_rows_.row(conditional_base(bounded)), scale / (unit_ * scale_.at(x))};
+}
+
+Node PairSlopes::conditional(const ConditionalRow& row, double q) const {
+  const double column = conditional_column(Probability<double>{1 - 2 * q, 2 * q});
+  const double t = std::max(column, kLeastColumn);
+  const auto beside = pair_.conditional.lookup_with_derivative(row.row, t);
+  const double v = t == column ? beside.value : pair_.conditional.lookup(row.row, column);
+  const double rate = -2 * beside.derivative / conditional_column_rate(t);  // dv / dq
+  const double e = (1 - v) * (1 + v);
+  return {-row.scale * 2 * v / e, -row.scale * 2 * (1 + v * v) / (e * e) * rate};
 }
 
 double PairSlopes::log2_ndf(double x) const {

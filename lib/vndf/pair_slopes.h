@@ -46,8 +46,15 @@ class PairSlopes {
   /// normal incidence.
   double least_s() const;
   double most_s() const;
+  /// The row of the conditional table at slope x >= 0, in units of U, and what its slopes are
+  /// multiplied by to be over the kernel's scale.
+  struct ConditionalRow {
+    double row, scale;
+  };
+  ConditionalRow conditional_row(double x) const;
   /// -|y| over its scale for q = min(u2, 1 - u2).
-  Node conditional(double x, double q) const;
+  Node conditional(const ConditionalRow& row, double q) const;
+  Node conditional(double x, double q) const { return conditional(conditional_row(x), q); }
 
   /// log2 of D of the unit surface without its Jacobian, and of the back-facing area, at a slope
   /// and a cotangent in units of U.
