@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "catch.h"
 #include "io/table_file.h"
@@ -202,4 +203,18 @@ TEST_CASE("validate and check take baked tables") {
   CHECK(r.status == 0);
   CHECK_THAT(r.out, contains("ggx.vndf: pass"));
   CHECK_THAT(folder.run("check missing.csv --against ggx.vndf").error, contains("missing.csv"));
+}
+
+TEST_CASE("bench times the samplers of files of either kind, and nothing that was not asked for") {
+  const FolderWithBakedTables folder;
+  REQUIRE(folder.run("bench ggx.h5 ggx.vndf --quick --repetitions 1 --json speed.json").status ==
+          0);
+  const auto report = nlohmann::json::parse(content(folder / "speed.json"));
+  std::vector<std::string> names;
+  for (const auto& entry : report.at("entries")) names.push_back(entry.at("name"));
+  CHECK(names == std::vector<std::string>{"ggx caps as published", "ggx.h5 linear",
+                                          "ggx.vndf kernel", "ggx.vndf kernel, prepared",
+                                          "ggx.vndf kernel, batched"});
+  CHECK(report.at("entries")[2].at("kind") == "kernel");
+  check_refusal(folder.run("bench none.vndf --quick"), 1, "none.vndf");
 }

@@ -18,7 +18,7 @@ namespace vndf::tools {
 namespace {
 
 struct BenchArguments {
-  std::vector<std::string> only, distributions = bench::kUsualDistributions;
+  std::vector<std::string> files, only, distributions = bench::kUsualDistributions;
   int repetitions = bench::CollectOptions().repetitions;
   std::string json, plot;
   bool quick = false;
@@ -37,7 +37,7 @@ void run_bench(const BenchArguments& arguments) {
   const std::string terminal = arguments.plot.empty() ? "" : terminal_for(arguments.plot);
   for (const std::string& name : {arguments.json, arguments.plot})
     if (!name.empty()) require_output(name);
-  bench::CaseOptions cases{.distributions = arguments.distributions};
+  bench::CaseOptions cases{.distributions = arguments.distributions, .files = arguments.files};
   bench::SpeedOptions speed;
   speed.program = kProgram;
   speed.collect.repetitions = arguments.repetitions;
@@ -60,6 +60,8 @@ void add_bench(CLI::App& app) {
   auto* command =
       app.add_subcommand("bench", "Time every sampler, tabulated or not, beside its errors");
   const auto arguments = std::make_shared<BenchArguments>();
+  command->add_option("files", arguments->files,
+                      "Files of tables to time, .h5, .exr or .vndf, instead of distributions");
   command->add_option("--only", arguments->only,
                       "Only samplers in whose names one of these words occurs");
   command->add_option("--distribution", arguments->distributions, "Distributions to tabulate")
@@ -74,7 +76,11 @@ void add_bench(CLI::App& app) {
                       "Draw speed against size: .svg or .png (needs gnuplot)");
   command->add_flag("--quick", arguments->quick,
                     "Few sizes, short timings: to see that it runs, not for figures");
-  command->callback([arguments] { run_bench(*arguments); });
+  command->callback([arguments, command] {
+    const bool files_alone = !arguments->files.empty() && command->count("--distribution") == 0;
+    if (files_alone) arguments->distributions.clear();
+    run_bench(*arguments);
+  });
 }
 
 }  // namespace vndf::tools

@@ -277,6 +277,25 @@ void add_kernels(std::vector<Case>& list, const Source& source,
   }
 }
 
+// Files.
+
+void add_file(std::vector<Case>& list, const std::string& path) {
+  if (!is_kernel_file(path)) {
+    const auto file = std::make_shared<const io::TableFile>(io::load(path));
+    list.push_back({path + " linear", path, Kind::table, [file] {
+                      return tabulated({BuiltTables{file->tables, file->certificate, 1, 0}, 0});
+                    }});
+    return;
+  }
+  const auto built =
+      std::make_shared<const Built<KernelTables>>(Built<KernelTables>{load(path), 0});
+  list.push_back({path + " kernel", path, Kind::kernel, [built] { return scalar_kernel(*built); }});
+  list.push_back({path + " kernel, prepared", path, Kind::kernel,
+                  [built] { return prepared_kernel(*built); }});
+  list.push_back(
+      {path + " kernel, batched", path, Kind::kernel, [built] { return batched_kernel(*built); }});
+}
+
 // Batches.
 
 Case batched_caps() {
@@ -335,6 +354,7 @@ std::vector<Case> all_cases(const CaseOptions& options) {
     add_tables(list, source, options.sides);
     add_kernels(list, source, options.tolerances);
   }
+  for (const std::string& path : options.files) add_file(list, path);
   return list;
 }
 

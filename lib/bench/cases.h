@@ -20,10 +20,13 @@ struct CaseOptions {
   /// Tolerances that kernels are baked for from pairs of 1024 x 1024, each as fast and as small as
   /// they come, prepared and batched.
   std::vector<double> tolerances = {1e-4, 1e-5};
+  /// Files of pairs or of baked tables, each a distribution of its own, beside those that are named.
+  std::vector<std::string> files = {};
 };
 
 /// The baseline first, then those of each distribution by kind. Tables that they share live until
-/// the last of the cases is gone. Throws std::invalid_argument for a distribution that is none.
+/// the last of the cases is gone. Throws std::invalid_argument for a distribution that is none, and
+/// what the readers throw for a file.
 std::vector<Case> all_cases(const CaseOptions& options);
 
 /// The baseline and those in whose names one of `words` occurs, or all where there are no words.
