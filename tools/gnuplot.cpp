@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 /// False if gnuplot is missing or fails, which it has told on standard error.
 bool run_gnuplot(const std::string& script) {
   // Where it cannot open its file it draws to standard output.
-  std::FILE* pipe = popen("gnuplot >/dev/null", "w");
+  // Scripts are UTF-8, also where the machine has no language set.
+  std::FILE* pipe = popen("LC_ALL=C.UTF-8 gnuplot >/dev/null", "w");
   if (pipe == nullptr) return false;
   // A gnuplot that is missing or has given up must not end this program with it.
   const auto before = std::signal(SIGPIPE, SIG_IGN);
