@@ -82,16 +82,13 @@ void put_marginal(KernelBlock& block, KernelHeader& h, const Plan& plan, const P
   h.direction = block.put_guide(plan.directions, 0, 64);
 }
 
-/// The cubics of the map over one half, and the guide of both its cells and the rows of patches.
+/// The cubics of the map over one half.
 void put_map(KernelBlock& block, const PairSlopes& slopes, const SlopeHalf& half, double offset,
              bool upper) {
   const int octaves = upper ? kSlopeOctaves : 0;
-  const auto node = [&](double place) {
-    const Node root = slopes.map(s_at(slopes, place - offset, upper));
-    return Node{root.value, upper ? root.derivative : -root.derivative};
-  };
   for (const AxisCell& cell : half.map.cells) {
-    Cubic cubic = hermite(node(cell.begin), node(cell.end), cell.width());
+    Cubic cubic = hermite(map_node(slopes, cell.begin - offset, upper),
+                          map_node(slopes, cell.end - offset, upper), cell.width());
     for (std::size_t k = 0; k < 4; ++k)
       cubic[k] = std::ldexp(cubic[k], -octaves * static_cast<int>(k));
     block.put_cubic(cubic);

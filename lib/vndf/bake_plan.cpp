@@ -133,11 +133,8 @@ bool same_conditional(const PairSlopes& slopes, const Criterion& criterion, doub
 /// base distribution.
 bool follows_map(const PairSlopes& slopes, const Criterion& criterion, bool upper, double begin,
                  double end) {
-  const auto node = [&](double place) {
-    const Node root = slopes.map(s_at(slopes, place, upper));
-    return Node{root.value, upper ? root.derivative : -root.derivative};
-  };
-  const Cubic cubic = hermite(node(begin), node(end), end - begin);
+  const Cubic cubic =
+      hermite(map_node(slopes, begin, upper), map_node(slopes, end, upper), end - begin);
   return std::ranges::all_of(kPlacesInColumn, [&](double f) {
     const double place = begin + f * (end - begin), s = s_at(slopes, place, upper);
     const auto u = marginal_column_inverse(s);

@@ -68,6 +68,12 @@ inline double s_at(const PairSlopes& slopes, double place, bool upper) {
   return upper ? slopes.middle_s() + place : slopes.middle_s() - place;
 }
 
+/// The root that the map has at a place |s - s0| of one half, and its derivative by the place.
+inline Node map_node(const PairSlopes& slopes, double place, bool upper) {
+  const Node root = slopes.map(s_at(slopes, place, upper));
+  return {root.value, upper ? root.derivative : -root.derivative};
+}
+
 inline Surface marginal_surface(const PairSlopes& slopes, bool upper) {
   return {[&slopes](double g) { return slopes.direction_row(g); },
           [&slopes, upper](double row, double q) { return slopes.marginal(row, q, upper); }};

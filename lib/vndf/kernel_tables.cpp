@@ -223,12 +223,25 @@ std::shared_ptr<std::byte> aligned_bytes(std::size_t count) {
   return {p, AlignedDelete()};
 }
 
-/// Changes the header of a block and its checksum with it.
+/// A block and who frees it.
+struct OwnedBlock {
+  std::shared_ptr<const std::byte> owner;
+  std::span<const std::byte> bytes;
+};
+
+/// A block of the bytes `begin` and then `text`, with a header that `change` has changed and the
+/// checksum that belongs to it.
 template <class Change>
-void change_header(std::span<std::byte> block, Change change) {
-  auto* header = reinterpret_cast<KernelHeader*>(block.data());
+OwnedBlock changed_copy(std::span<const std::byte> begin, std::string_view text, Change change) {
+  const std::size_t size = begin.size() + text.size();
+  const auto owner = aligned_bytes(size);
+  const std::span<std::byte> own(owner.get(), size);
+  std::ranges::copy(begin, own.begin());
+  std::ranges::copy(std::as_bytes(std::span(text)), own.subspan(begin.size()).begin());
+  auto* header = reinterpret_cast<KernelHeader*>(own.data());
   change(*header);
-  header->checksum = kernel_checksum(block);
+  header->checksum = kernel_checksum(own);
+  return {owner, own};
 }
 
 /// The leading digits of a small number.
@@ -354,40 +367,29 @@ Kernel KernelTables::kernel() const {
 
 KernelTables KernelTables::with_text(const KernelText& text) const {
   const std::string texts = joined(text);
-  const std::size_t size = header().text + texts.size();
-  const auto owner = aligned_bytes(size);
-  std::copy_n(bytes_.begin(), header().text, owner.get());
-  std::memcpy(owner.get() + header().text, texts.data(), texts.size());
-  const std::span<std::byte> own(owner.get(), size);
-  change_header(own, [&](KernelHeader& h) {
-    h.bytes = size;
+  const OwnedBlock block = changed_copy(bytes_.first(header().text), texts, [&](KernelHeader& h) {
+    h.bytes = h.text + texts.size();
     h.text_bytes = static_cast<std::uint32_t>(texts.size());
   });
-  return {owner, own};
+  return {block.owner, block.bytes};
 }
 
 KernelTables KernelTables::with_certificate(const Certificate& certificate, bool measured) const {
-  const auto owner = aligned_bytes(bytes_.size());
-  std::copy(bytes_.begin(), bytes_.end(), owner.get());
-  const std::span<std::byte> own(owner.get(), bytes_.size());
-  change_header(own, [&](KernelHeader& h) {
+  const OwnedBlock block = changed_copy(bytes_, {}, [&](KernelHeader& h) {
     h.certified = measured ? 1 : 0;
     std::size_t k = 0;
     for_each_figure(certificate,
                     [&](const std::string&, double figure) { h.certificate[k++] = figure; });
   });
-  return {owner, own};
+  return {block.owner, block.bytes};
 }
 
 KernelTables KernelTables::with_differences(double x, double y) const {
-  const auto owner = aligned_bytes(bytes_.size());
-  std::copy(bytes_.begin(), bytes_.end(), owner.get());
-  const std::span<std::byte> own(owner.get(), bytes_.size());
-  change_header(own, [&](KernelHeader& h) {
+  const OwnedBlock block = changed_copy(bytes_, {}, [&](KernelHeader& h) {
     h.difference_x = x;
     h.difference_y = y;
   });
-  return {owner, own};
+  return {block.owner, block.bytes};
 }
 
 void save(const std::filesystem::path& path, const KernelTables& tables) {
