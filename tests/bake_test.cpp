@@ -12,13 +12,12 @@
 #include "catch.h"
 #include "directions.h"
 #include "kernel_portable.h"
-#include "precompute/golden_sequence.h"
 #include "random_inputs.h"
+#include "vndf/golden_sequence.h"
 #include "vndf/tabulated_sampler.h"
 
 using namespace vndf;
 using namespace vndf::test;
-using precompute::golden;
 
 namespace {
 

@@ -10,14 +10,13 @@
 #include "baked_tables.h"
 #include "catch.h"
 #include "directions.h"
-#include "precompute/golden_sequence.h"
 #include "random_inputs.h"
+#include "vndf/golden_sequence.h"
 #include "vndf/normal_sampler.h"
 #include "vndf/tabulated_sampler.h"
 
 using namespace vndf;
 using namespace vndf::test;
-using precompute::golden;
 
 static_assert(NormalSampler<Kernel, float>);
 

@@ -7,6 +7,7 @@
 #include "precompute/conditional_slopes.h"
 #include "precompute/map_errors.h"
 #include "precompute/visible_slopes.h"
+#include "vndf/golden_sequence.h"
 
 namespace vndf::bench {
 
@@ -14,7 +15,6 @@ using precompute::ConditionalSlopes;
 using precompute::density_error;
 using precompute::from_complement;
 using precompute::from_tail;
-using precompute::golden;
 using precompute::keep_farthest;
 using precompute::parallel_for;
 using precompute::tail_ratio;

@@ -7,11 +7,11 @@
 #include <numbers>
 #include <vector>
 
-#include "precompute/golden_sequence.h"
 #include "precompute/map_errors.h"
 #include "precompute/parallel.h"
 #include "precompute/unit_slopes.h"
 #include "vndf/certificate.h"
+#include "vndf/golden_sequence.h"
 #include "vndf/vec.h"
 
 namespace vndf::precompute {

@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-#include "precompute/golden_sequence.h"
+#include "vndf/golden_sequence.h"
 #include "vndf/table_coordinates.h"
 
 namespace vndf::precompute {

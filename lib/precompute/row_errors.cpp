@@ -7,6 +7,7 @@
 
 #include "precompute/conditional_slopes.h"
 #include "precompute/map_errors.h"
+#include "vndf/golden_sequence.h"
 
 namespace vndf::precompute {
 namespace {

@@ -6,12 +6,12 @@
 
 #include "precompute/map_errors.h"
 #include "validate/map_row.h"
+#include "vndf/golden_sequence.h"
 
 namespace vndf::validate {
 namespace {
 
 using precompute::from_tail;
-using precompute::golden;
 using precompute::u_error;
 
 constexpr const char* kStage = "map";

@@ -12,6 +12,7 @@
 
 #include "vndf/bake_curve.h"
 #include "vndf/bake_plan.h"
+#include "vndf/golden_sequence.h"
 #include "vndf/kernel_block.h"
 #include "vndf/pair_slopes.h"
 
@@ -191,16 +192,9 @@ struct Differences {
   double larger() const { return std::max(x, y); }
 };
 
-/// Places in (0, 1) that are commensurate with no grid.
-double golden(std::size_t k) {
-  constexpr double kRatio = 0.6180339887498949;
-  const double x = kRatio * static_cast<double>(k + 1);
-  return x - std::floor(x);
-}
-
 /// u in single precision: golden in its root from both ends, so that tails are looked at too.
 float golden_u(std::size_t k) {
-  const double v = golden(k), q = v * v / 2;
+  const double v = golden(k + 1, 0), q = v * v / 2;
   return static_cast<float>(k % 2 == 0 ? q : 1 - q);
 }
 
@@ -210,7 +204,7 @@ Differences differences(const KernelTables& tables, const PairSlopes& slopes) {
   const kernel::VndfTables& t = kernel.tables();
   Differences worst;
   for (std::size_t i = 0; i < kDirections; ++i) {
-    const double wanted = golden(i) * (i % 4 == 0 ? golden(i) : 1);
+    const double place = golden(i + 1, 0), wanted = i % 4 == 0 ? place * place : place;
     const Vec3<float> wi{static_cast<float>(wanted), 0, static_cast<float>(1 - wanted)};
     const kernel::VndfDirection at = kernel::vndf_at(t, wi, 1 / t.unit, 1);
     const double row = slopes.direction_row(double{wi.x} / (double{wi.x} + double{wi.z}));
@@ -255,7 +249,7 @@ KernelTables bake(const SlopeTables& pair, const BakeOptions& options) {
       const Plan plan = plan_for(pair, columns, {share * options.tolerance});
       if (plan.bytes() > options.max_bytes) {
         reached += (reached.empty() ? "" : "; ") + number(static_cast<double>(plan.bytes())) +
-                   " bytes would be needed " + (columns.roots ? "with columns by roots" : "");
+                   " bytes would be needed" + (columns.roots ? " with columns by roots" : "");
         break;
       }
       const KernelTables tables = tables_of(plan, pair, options.tolerance);
