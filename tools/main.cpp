@@ -3,8 +3,8 @@
 #include <exception>
 #include <iostream>
 
-#include "commands.h"
-#include "output_file.h"
+#include "commands/commands.h"
+#include "commands/output_file.h"
 
 int main(int argc, char** argv) {
   CLI::App app{

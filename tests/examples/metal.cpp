@@ -1,8 +1,8 @@
 #include <iostream>
 
-#include "vndf/conductor_brdf.h"
+#include "vndf/bsdf/conductor_brdf.h"
+#include "vndf/bsdf/masking.h"
 #include "vndf/kernel_tables.h"
-#include "vndf/masking.h"
 
 using Gold = vndf::ConductorFresnel<float, 3>;
 

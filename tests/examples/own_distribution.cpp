@@ -1,8 +1,8 @@
 #include <cmath>
 #include <iostream>
 
-#include "precompute/bake_certified.h"
-#include "precompute/build_tables.h"
+#include "vndf/precompute/bake_certified.h"
+#include "vndf/precompute/build_tables.h"
 
 class StudentT final : public vndf::precompute::SlopeDistribution {
  public:

@@ -8,10 +8,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "vndf/beckmann.h"
+#include "vndf/reference/beckmann.h"
 #include "vndf/reference/erf_inverse.h"
 #include "vndf/reference/random_reuse.h"
-#include "vndf/smith.h"
+#include "vndf/reference/smith.h"
 
 namespace vndf {
 

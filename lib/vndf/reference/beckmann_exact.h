@@ -12,10 +12,10 @@
 #include <limits>
 #include <numbers>
 
-#include "vndf/beckmann.h"
-#include "vndf/increasing_root.h"
+#include "vndf/reference/beckmann.h"
 #include "vndf/reference/erf_inverse.h"
-#include "vndf/smith.h"
+#include "vndf/reference/smith.h"
+#include "vndf/support/increasing_root.h"
 
 namespace vndf {
 

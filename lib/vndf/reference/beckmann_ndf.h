@@ -2,7 +2,7 @@
 // roughness (Walter et al. 2007, equation 28).
 #pragma once
 
-#include "vndf/beckmann.h"
+#include "vndf/reference/beckmann.h"
 #include "vndf/reference/shape_ndf.h"
 
 namespace vndf {

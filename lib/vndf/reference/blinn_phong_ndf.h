@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "vndf/beckmann.h"
 #include "vndf/reference/azimuthal_ndf.h"
-#include "vndf/smith.h"
+#include "vndf/reference/beckmann.h"
+#include "vndf/reference/smith.h"
 
 namespace vndf {
 

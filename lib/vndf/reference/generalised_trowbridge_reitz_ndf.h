@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "vndf/ggx.h"
 #include "vndf/reference/azimuthal_ndf.h"
-#include "vndf/smith.h"
+#include "vndf/reference/ggx.h"
+#include "vndf/reference/smith.h"
 
 namespace vndf {
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "vndf/ggx.h"
-#include "vndf/smith.h"
+#include "vndf/reference/ggx.h"
+#include "vndf/reference/smith.h"
 
 namespace vndf {
 

@@ -14,9 +14,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "vndf/ggx.h"
-#include "vndf/increasing_root.h"
-#include "vndf/smith.h"
+#include "vndf/reference/ggx.h"
+#include "vndf/reference/smith.h"
+#include "vndf/support/increasing_root.h"
 
 namespace vndf {
 

@@ -2,7 +2,7 @@
 // roughness (Walter et al. 2007, equation 35).
 #pragma once
 
-#include "vndf/ggx.h"
+#include "vndf/reference/ggx.h"
 #include "vndf/reference/shape_ndf.h"
 
 namespace vndf {

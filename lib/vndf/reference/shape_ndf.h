@@ -6,7 +6,7 @@
 // the roughness along it, 1 / alpha^2 = cos^2(phi) / alpha_x^2 + sin^2(phi) / alpha_y^2.
 #pragma once
 
-#include "vndf/smith.h"
+#include "vndf/reference/smith.h"
 
 namespace vndf {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "vndf/masking.h"
+#include "vndf/bsdf/masking.h"
 #include "vndf/stretch.h"
 #include "vndf/table_coordinates.h"
 

@@ -1,0 +1,267 @@
+// From the pair of tables to those of a kernel: what was planned is written, and what was made is
+// measured against the pair.
+#include "vndf/bake/bake.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include "vndf/bake/block.h"
+#include "vndf/bake/curve.h"
+#include "vndf/bake/pair_slopes.h"
+#include "vndf/bake/plan.h"
+#include "vndf/support/low_discrepancy.h"
+
+namespace vndf {
+namespace {
+
+using namespace baking;
+
+// What remains of a tolerance for rows and for columns: their errors add up, and single precision
+// and the pair's own errors need the rest.
+constexpr double kShare = 0.65;
+// Shares that are tried after it where the tables as made differ by more than the tolerance.
+constexpr std::array<double, 3> kShares{kShare, 0.7 * kShare, 0.45 * kShare};
+
+/// The same cells with places times a power of two, which moves their keys.
+Axis shifted(const Axis& axis, int octaves) {
+  Axis result = axis;
+  const auto keys = static_cast<std::uint32_t>(octaves) << (23 - axis.shift);
+  for (AxisCell& cell : result.cells)
+    cell = {cell.first + keys, cell.last + keys, std::ldexp(cell.begin, octaves),
+            std::ldexp(cell.end, octaves)};
+  return result;
+}
+
+/// An axis of both halves, of which the second has larger places.
+Axis both_halves(const Axis& lower, const Axis& upper, int octaves) {
+  Axis axis = lower;
+  const Axis above = shifted(upper, octaves);
+  axis.cells.back().last = above.cells.front().first;  // and the keys that no place has, if any
+  axis.cells.insert(axis.cells.end(), above.cells.begin(), above.cells.end());
+  return axis;
+}
+
+/// The patches of one column, row after row. Places are written by powers of two larger than they
+/// are here: those of the column by `column_octaves`, those of rows by `row_octaves`.
+void put_column(KernelBlock& block, const Surface& surface, const Columns& columns,
+                const AxisCell& column, const Axis& rows, double row_offset, int column_octaves,
+                int row_octaves) {
+  for (const AxisCell& row : rows.cells) {
+    std::array<Cubic, 4> along;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double at = surface.row(row.begin + kRowPlaces[i] * row.width() - row_offset);
+      along[i] = limited_hermite(node_at(surface, columns, at, column.begin),
+                                 node_at(surface, columns, at, column.end), column.width());
+    }
+    std::array<Cubic, 4> patch;  // by the power of the place in the row
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Cubic across =
+          through({along[0][k], along[1][k], along[2][k], along[3][k]}, row.width());
+      for (std::size_t power = 0; power < 4; ++power)
+        patch[power][k] = std::ldexp(across[power], -column_octaves * static_cast<int>(k) -
+                                                        row_octaves * static_cast<int>(power));
+    }
+    for (const Cubic& cubic : patch) block.put_cubic(cubic);
+  }
+}
+
+void put_marginal(KernelBlock& block, KernelHeader& h, const Plan& plan, const PairSlopes& slopes) {
+  block.align(kKernelAlignment);
+  const std::uint32_t first = block.at();
+  for (const bool upper : {false, true})
+    for (const AxisCell& column : (upper ? plan.upper : plan.lower).cells)
+      put_column(block, marginal_surface(slopes, upper), plan.columns, column, plan.directions,
+                 plan.direction_offset, upper ? plan.columns.octaves : 0, 0);
+  const auto row = static_cast<std::uint32_t>(64 * plan.directions.cells.size());
+  h.marginal =
+      block.put_guide(both_halves(plan.lower, plan.upper, plan.columns.octaves), first, row);
+  h.direction = block.put_guide(plan.directions, 0, 64);
+}
+
+/// The cubics of the map over one half.
+void put_map(KernelBlock& block, const PairSlopes& slopes, const SlopeHalf& half, double offset,
+             bool upper) {
+  const int octaves = upper ? kSlopeOctaves : 0;
+  for (const AxisCell& cell : half.map.cells) {
+    Cubic cubic = hermite(map_node(slopes, cell.begin - offset, upper),
+                          map_node(slopes, cell.end - offset, upper), cell.width());
+    for (std::size_t k = 0; k < 4; ++k)
+      cubic[k] = std::ldexp(cubic[k], -octaves * static_cast<int>(k));
+    block.put_cubic(cubic);
+  }
+}
+
+void put_slopes(KernelBlock& block, KernelHeader& h, const Plan& plan, const PairSlopes& slopes) {
+  SlopeHalf lower = plan.slopes[0], upper = plan.slopes[1];
+  // The kernel knows one end for both halves: the shorter goes on with its last cell.
+  const double most = std::max(lower.map.cells.back().end, upper.map.cells.back().end);
+  for (Axis* axis : {&lower.map, &lower.rows, &upper.map, &upper.rows})
+    axis->cells.back().last = key_of(most, axis->shift) + 1;
+  block.align(16);
+  const std::uint32_t first = block.at();
+  put_map(block, slopes, lower, plan.slope_offset, false);
+  put_map(block, slopes, upper, plan.slope_offset, true);
+  // Every key has an entry: one of the map, 16 bytes a cell, and one of a row, 64 bytes a cell.
+  const Axis map = both_halves(lower.map, upper.map, kSlopeOctaves),
+             rows = both_halves(lower.rows, upper.rows, kSlopeOctaves);
+  h.slope = block.put_guides(map, first, 16, rows, 0, 64);
+  h.slope_middle = static_cast<float>(slopes.middle_s());
+  h.slope_offset = static_cast<float>(plan.slope_offset);
+  h.slope_most = static_cast<float>(most);
+  h.slope_upper = static_cast<std::uint32_t>(kSlopeOctaves) << 23;
+}
+
+void put_conditional(KernelBlock& block, KernelHeader& h, const Plan& plan,
+                     const PairSlopes& slopes) {
+  block.align(kKernelAlignment);
+  const std::uint32_t first = block.at();
+  if (plan.separable) {
+    const Surface surface = conditional_surface(slopes, false);
+    for (const AxisCell& cell : plan.conditional.cells)
+      block.put_cubic(limited_hermite(node_at(surface, plan.columns, 0, cell.begin),
+                                      node_at(surface, plan.columns, 0, cell.end), cell.width()));
+    h.conditional = block.put_guide(plan.conditional, first, 16);
+    return;
+  }
+  const int octaves = plan.columns.octaves;
+  for (const bool mirrored : {false, true})
+    for (const AxisCell& column : (mirrored ? plan.mirrored : plan.conditional).cells)
+      for (const bool upper : {false, true})
+        put_column(block, conditional_surface(slopes, upper), plan.columns.halved(mirrored), column,
+                   plan.slopes[upper ? 1 : 0].rows, plan.slope_offset, mirrored ? octaves : 0,
+                   upper ? kSlopeOctaves : 0);
+  h.conditional = block.put_guide(both_halves(plan.conditional, plan.mirrored, octaves), first,
+                                  static_cast<std::uint32_t>(64 * plan.slope_rows()));
+  put_slopes(block, h, plan, slopes);
+}
+
+KernelHeader header_of(const Plan& plan, const PairSlopes& slopes, const SlopeTables& pair) {
+  // Slopes are followed to -5e31 and to 4e6 times U; the normal of the first is not horizontal yet.
+  constexpr float kLeastRoot = 1e-16f, kMostRoot = 1 - 0x1p-23f;
+  KernelHeader h{};
+  std::memcpy(h.magic, kKernelMagic, sizeof h.magic);
+  h.version = kKernelVersion;
+  h.header_bytes = sizeof h;
+  h.unit = static_cast<float>(slopes.unit() * pair.mean_slope);
+  h.scale_root = static_cast<float>(slopes.scale().root);
+  h.scale_constant = static_cast<float>(slopes.scale().constant);
+  h.rim = static_cast<float>(slopes.scale().rim);
+  h.least_root = kLeastRoot;
+  h.most_root = kMostRoot;
+  h.direction_offset = static_cast<float>(plan.direction_offset);
+  h.column_offset = static_cast<float>(plan.columns.offset);
+  h.column_span = static_cast<float>(plan.columns.span());
+  h.column_mirror = static_cast<std::uint32_t>(plan.columns.octaves) << 23;
+  h.column_upper = kernel::kVndfSign + (static_cast<std::uint32_t>(plan.columns.octaves) << 23);
+  h.column_roots = plan.columns.roots ? 1 : 0;
+  h.separable = plan.separable ? 1 : 0;
+  return h;
+}
+
+KernelTables tables_of(const Plan& plan, const SlopeTables& pair, double tolerance) {
+  const PairSlopes slopes(pair, plan.unit);
+  KernelBlock block;
+  KernelHeader h = header_of(plan, slopes, pair);
+  h.tolerance = tolerance;
+  put_marginal(block, h, plan, slopes);
+  put_conditional(block, h, plan, slopes);
+  h.sampling_bytes = block.at() - sizeof h;
+  const auto ndf = [&](double x) { return slopes.log2_ndf(x); };
+  const auto backfacing = [&](double c) { return slopes.log2_backfacing(c); };
+  h.ndf = put_curve(block, spans_of(pair.log_ndf, plan.unit, ndf), ndf, tolerance);
+  h.backfacing =
+      put_curve(block, spans_of(pair.log_backfacing, plan.unit, backfacing), backfacing, tolerance);
+  h.bytes = h.text = block.at();
+  std::memcpy(block.bytes().data(), &h, sizeof h);
+  h.checksum = kernel_checksum(block.bytes());
+  std::memcpy(block.bytes().data(), &h, sizeof h);
+  KernelText text;
+  text.distribution = pair.distribution;
+  return KernelTables::copy(block.bytes()).with_text(text);
+}
+
+/// The largest differences of a kernel from the pair, in u.
+struct Differences {
+  double x = 0, y = 0;
+
+  double larger() const { return std::max(x, y); }
+};
+
+/// u in single precision: golden in its root from both ends, so that tails are looked at too.
+float golden_u(std::size_t k) {
+  const double v = golden(k + 1, 0), q = v * v / 2;
+  return static_cast<float>(k % 2 == 0 ? q : 1 - q);
+}
+
+Differences differences(const KernelTables& tables, const PairSlopes& slopes) {
+  constexpr std::size_t kDirections = 128, kDraws = 160;
+  const Kernel kernel = tables.kernel();
+  const kernel::VndfTables& t = kernel.tables();
+  Differences worst;
+  for (std::size_t i = 0; i < kDirections; ++i) {
+    const double place = golden(i + 1, 0), wanted = i % 4 == 0 ? place * place : place;
+    const Vec3<float> wi{static_cast<float>(wanted), 0, static_cast<float>(1 - wanted)};
+    const kernel::VndfDirection at = kernel::vndf_at(t, wi, 1 / t.unit, 1);
+    const double row = slopes.direction_row(double{wi.x} / (double{wi.x} + double{wi.z}));
+    for (std::size_t k = 0; k < kDraws; ++k) {
+      const float u1 = golden_u(k + i), u2 = golden_u(7 * k + 3 * i);
+      const kernel::VndfDraw draw = kernel::vndf_draw(t, at, u1, u2);
+      const bool upper = u1 > 0.5f;
+      const double q = upper ? 1 - double{u1} : double{u1};
+      const double found = slopes.marginal_inverse(row, draw.root, upper);
+      worst.x = std::max(worst.x, std::abs(found - q));
+      const double q2 = std::min(double{u2}, 1 - double{u2});
+      const double sigma = double{draw.root} * draw.root;
+      const Node y = slopes.conditional(std::abs(sigma - 0.5) / (sigma * (1 - sigma)), q2);
+      const double difference = std::abs(std::abs(double{draw.v}) + y.value);
+      if (difference > kRounding * std::abs(y.value))
+        worst.y = std::max(worst.y, difference / std::abs(y.derivative));
+    }
+  }
+  return worst;
+}
+
+void require_options(const BakeOptions& options) {
+  if (!(options.tolerance >= kLeastTolerance && options.tolerance <= kMostTolerance))
+    throw std::invalid_argument("tolerance of a kernel: give a number from 1e-6 to 1e-2");
+}
+
+std::string number(double value) {
+  std::ostringstream text;
+  text.precision(3);
+  text << value;
+  return text.str();
+}
+
+}  // namespace
+
+KernelTables bake(const SlopeTables& pair, const BakeOptions& options) {
+  require_options(options);
+  if (const auto broken = check(pair)) throw std::invalid_argument("slope tables: " + *broken);
+  std::string reached;
+  for (const Columns& columns : {kByProbability, kByRoot}) {
+    for (const double share : kShares) {
+      const Plan plan = plan_for(pair, columns, {share * options.tolerance});
+      if (plan.bytes() > options.max_bytes) {
+        reached += (reached.empty() ? "" : "; ") + number(static_cast<double>(plan.bytes())) +
+                   " bytes would be needed" + (columns.roots ? " with columns by roots" : "");
+        break;
+      }
+      const KernelTables tables = tables_of(plan, pair, options.tolerance);
+      const Differences found = differences(tables, PairSlopes(pair, plan.unit));
+      if (found.larger() <= options.tolerance) return tables.with_differences(found.x, found.y);
+      reached += (reached.empty() ? "" : "; ") + number(found.larger()) + " was reached with " +
+                 number(static_cast<double>(plan.bytes())) + " bytes";
+    }
+  }
+  throw BakeError("no kernel of " + pair.distribution + " keeps " + number(options.tolerance) +
+                  " in " + std::to_string(options.max_bytes) + " bytes: " + reached +
+                  "; give a larger tolerance or more bytes");
+}
+
+}  // namespace vndf

@@ -1,0 +1,139 @@
+// The quantile functions of the pair in the kernel's terms.
+#include "vndf/bake/pair_slopes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vndf::baking {
+namespace {
+
+// Next to q = 1/2 the conditional's value and its column both change as a root, and their quotient
+// has no digits: the derivative by q is that of 1/2 - q = 1e-6, the nearest with digits.
+constexpr double kLeastColumn = 1e-3;
+
+// Below it slopes leave even double precision.
+constexpr double kLeastSigma = 1e-300, kLeastComplement = 0x1p-50;
+// Slopes that are rarer than this are not looked at.
+constexpr double kRare = 1e-9;
+
+/// Of sigma of x / `unit`, given that of x.
+Node in_unit(const Node& sigma, double unit) {
+  const double inside = std::clamp(sigma.value, kLeastSigma, 1 - 0x1p-52);
+  const double n = inside - 0.5, d = inside * (1 - inside);
+  // sigma of n / (unit d) as bounded_from_fraction() of table_coordinates.h has it.
+  const double value = bounded_from_fraction(n, unit * d).sigma, e = value * (1 - value);
+  // dx / dsigma = (1/2 - d) / d^2
+  const double rate = (0.5 - d) / (0.5 - e) * (e / d) * (e / d) / unit;
+  return {value, sigma.derivative * rate};
+}
+
+Node root_of(const Node& sigma) {
+  const double root = std::sqrt(std::max(sigma.value, kLeastSigma));
+  return {root, sigma.derivative / (2 * root)};
+}
+
+}  // namespace
+
+double KernelScale::at(double x) const {
+  if (rim > 0)
+    return std::sqrt(std::max((rim - x) * (rim + x), std::numeric_limits<double>::min()));
+  return root * std::hypot(1, x) + constant;
+}
+
+PairSlopes::PairSlopes(const SlopeTables& pair, double unit)
+    : pair_(pair),
+      unit_(unit),
+      separable_(conditional_factorises(pair)),
+      marginal_rows_(pair.marginal_rows),
+      conditional_rows_(pair.conditional_rows),
+      map_(pair.marginal_map),
+      middle_(static_cast<float>(map_.inverse(0.5))) {
+  if (std::isfinite(pair.support))
+    scale_.rim = pair.support / unit;
+  else if (separable_ && pair.conditional_quadratic == 0)
+    scale_.constant = 1;
+  else
+    scale_.root = 1;
+}
+
+double PairSlopes::direction_row(double g) const {
+  return marginal_rows_.row(marginal_base(bounded_cotangent(unit_ * (1 - g), g)));
+}
+
+Node PairSlopes::marginal(double row, double q, bool upper) const {
+  const double t =
+      marginal_column(upper ? Probability<double>{1 - q, q} : Probability<double>{q, 1 - q});
+  const auto s = pair_.marginal.lookup_with_derivative(row, t);
+  const double du = marginal_column_rate(t);
+  const Node node{s.value, s.derivative / (upper ? -du : du)};
+  if (!separable_) return node;
+  const Node root = map(s.value);
+  return {root.value, root.derivative * node.derivative};
+}
+
+Node PairSlopes::map(double s) const {
+  const auto sigma = map_.at_with_derivative(s);
+  return root_of(in_unit({sigma.value, sigma.derivative}, unit_));
+}
+
+double PairSlopes::marginal_inverse(double row, double root, bool upper) const {
+  const double square = root * root;
+  const double n = square - 0.5, d = square * (1 - square);
+  const double sigma = bounded_from_fraction(unit_ * n, d).sigma;
+  const auto u = marginal_column_inverse(pair_.marginal.inverse(row, map_.inverse(sigma)));
+  return upper ? u.complement : u.u;
+}
+
+double PairSlopes::slope_at(double s) const {
+  const double root = map(s).value, sigma = root * root;
+  return std::abs(sigma - 0.5) / (sigma * std::max(1 - sigma, kLeastComplement));
+}
+
+double PairSlopes::least_s() const {
+  const double column = marginal_column(Probability<double>{kRare, 1 - kRare});
+  return pair_.marginal.lookup(direction_row(1), column);
+}
+
+double PairSlopes::most_s() const {
+  const double column = marginal_column(Probability<double>{1 - kRare, kRare});
+  return pair_.marginal.lookup(direction_row(0), column);
+}
+
+PairSlopes::ConditionalRow PairSlopes::conditional_row(double x) const {
+  const auto bounded = bounded_from_slope(x * unit_);
+  const ConditionalScale<double> pair_scale{pair_.conditional_constant,
+                                            pair_.conditional_quadratic};
+  const double scale =
+      pair_scale.at({bounded.numerator(), bounded.denominator()}) / bounded.denominator();
+  return {conditional_rows_.row(conditional_base(bounded)), scale / (unit_ * scale_.at(x))};
+}
+
+Node PairSlopes::conditional(const ConditionalRow& row, double q) const {
+  const double column = conditional_column(Probability<double>{1 - 2 * q, 2 * q});
+  const double t = std::max(column, kLeastColumn);
+  const auto beside = pair_.conditional.lookup_with_derivative(row.row, t);
+  const double v = t == column ? beside.value : pair_.conditional.lookup(row.row, column);
+  const double rate = -2 * beside.derivative / conditional_column_rate(t);  // dv / dq
+  const double e = (1 - v) * (1 + v);
+  return {-row.scale * 2 * v / e, -row.scale * 2 * (1 + v * v) / (e * e) * rate};
+}
+
+double PairSlopes::log2_ndf(double x) const {
+  const double r = x * unit_;
+  // D = p22 (1 + r^2)^2, and p22 in units of U is U^2 times that.
+  const double log_p22 = pair_.log_ndf.log_at(std::asinh(r)) - 2 * std::log1p(r * r);
+  return (log_p22 + 2 * std::log(unit_) + 2 * std::log1p(x * x)) / std::log(2.0);
+}
+
+double PairSlopes::log2_backfacing(double c) const {
+  return (pair_.log_backfacing.log_at(std::asinh(c * unit_)) - std::log(unit_)) / std::log(2.0);
+}
+
+std::vector<double> units_to_try(const SlopeTables& pair) {
+  if (!conditional_factorises(pair)) return {1, 4};  // 2 and 8 save 4 % at most, for half the time
+  if (pair.conditional_quadratic <= 0) return {1, 2, 4, 8};
+  return {std::sqrt(pair.conditional_constant / pair.conditional_quadratic)};
+}
+
+}  // namespace vndf::baking

@@ -1,0 +1,56 @@
+// What a batch is given, once the sizes are judged: the same for every target.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "vndf/batch/blocks.h"
+#include "vndf/kernel.h"
+
+namespace vndf::batch {
+
+/// Incident directions and roughness, each for one sample.
+struct DirectionInputs {
+  Input x, y, z, alpha_x, alpha_y;
+};
+
+/// The random numbers and the results.
+struct Samples {
+  std::size_t size;
+  Input u1, u2;
+  Output x, y, z;
+};
+
+/// What a block knows of its directions: kernel::VndfDirection, as arrays.
+struct Directions {
+  Lanes<float> alpha_x, alpha_y;
+  Lanes<float> x, y, z;
+  Lanes<float> h2, hu;
+  Lanes<float> g;
+  Lanes<std::uint32_t> row;
+
+  void set(std::size_t i, const kernel::VndfDirection& d) {
+    alpha_x.at[i] = d.alpha_x;
+    alpha_y.at[i] = d.alpha_y;
+    x.at[i] = d.x;
+    y.at[i] = d.y;
+    z.at[i] = d.z;
+    h2.at[i] = d.h2;
+    hu.at[i] = d.hu;
+    g.at[i] = d.g;
+    row.at[i] = d.row;
+  }
+};
+
+/// Pointers to the inputs of a block.
+struct DirectionBlock {
+  const float *x, *y, *z, *alpha_x, *alpha_y;
+};
+
+/// Step 1 of samples begin to end - 1 of a block by the scalar kernel, which knows what is to be
+/// done next to the pole and with inputs outside their range. It is compiled once, for any
+/// processor.
+void stretch_each(const kernel::VndfTables& tables, const DirectionBlock& inputs, std::size_t begin,
+                  std::size_t end, Directions& directions);
+
+}  // namespace vndf::batch

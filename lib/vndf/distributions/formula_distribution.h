@@ -1,0 +1,71 @@
+// Slope distributions from formulas typed by the user: a slope density p22(r), or a normal
+// distribution D(theta) or D(theta, alpha), theta the angle from the mean normal, for which
+// p22(r) = D(atan(r)) cos^4(atan(r)).
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "vndf/distributions/compiled_formula.h"
+#include "vndf/distributions/slope_distribution.h"
+
+namespace vndf::precompute {
+
+/// D(theta, alpha); the formula need not use alpha. Any number of threads may call it.
+class NdfFormula {
+ public:
+  /// Throws std::invalid_argument as CompiledFormula does.
+  explicit NdfFormula(const Formula& formula) : formula_(formula, {"theta", "alpha"}) {}
+
+  const std::string& text() const { return formula_.text(); }
+  bool uses_alpha() const { return formula_.uses("alpha"); }
+
+  /// D at 0 <= theta <= pi / 2.
+  double operator()(double theta, double alpha) const { return formula_(theta, alpha); }
+
+  /// The slope density D cos^4 at slope r >= 0, precise up to grazing normals.
+  double p22(double r, double alpha) const;
+
+ private:
+  CompiledFormula formula_;
+};
+
+/// A formula whose density is 0 beyond some radius, as in "r < 2 ? 1 - r/2 : 0", is compact: the
+/// radius is found.
+class FormulaDistribution final : public SlopeDistribution {
+ public:
+  /// p22 as a formula in r, with the radii at which it jumps or has a kink. Throws as
+  /// CompiledFormula does, and std::invalid_argument unless breaks are finite and > 0.
+  static FormulaDistribution from_p22(const Formula& formula,
+                                      const std::vector<double>& breaks = {});
+
+  /// The surface of roughness `alpha` of a normal distribution, in its natural slopes r =
+  /// tan(theta). For a shape-invariant D (shape_invariance.h) alpha = 1 is unit roughness. Throws
+  /// std::invalid_argument unless alpha and breaks, in r, are finite and > 0.
+  static FormulaDistribution from_ndf(const NdfFormula& ndf, double alpha = 1,
+                                      const std::vector<double>& breaks = {});
+
+  /// "p22(r) = exp(-a*r), a=2" or "D(theta) = ...", with the alpha of a D that uses it.
+  std::string name() const override { return name_; }
+
+  /// Slopes beyond 1e20 at which the arithmetic overflows to something that is not a number
+  /// (r^2 * exp(-r^2) is infinity times 0) count as density 0.
+  double p22(double r) const override;
+  /// A D takes trigonometry besides its formula.
+  bool costly() const override { return costly_; }
+  std::vector<double> breaks() const override { return breaks_; }
+  double support() const override { return support_; }
+
+ private:
+  FormulaDistribution(std::string name, std::function<double(double)> density, bool costly,
+                      const std::vector<double>& breaks);
+
+  std::string name_;
+  std::function<double(double)> density_;
+  bool costly_;
+  double support_;
+  std::vector<double> breaks_;  // increasing, up to the support, which is among them if finite
+};
+
+}  // namespace vndf::precompute

@@ -1,0 +1,67 @@
+// Loading and saving: file, seal, format, rules, each in its own place.
+#include "vndf/io/table_file.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+
+#include "vndf/io/atomic_file.h"
+#include "vndf/io/checksum_trailer.h"
+#include "vndf/io/exr_table_file.h"
+#include "vndf/io/format_error.h"
+#include "vndf/io/hdf5_table_file.h"
+#include "vndf/io/stored_tables.h"
+
+namespace vndf::io {
+namespace {
+
+/// What `action` returns; a Refusal that it throws gets the name of the file.
+template <class Action>
+auto naming(const std::filesystem::path& path, Action action) {
+  try {
+    return action();
+  } catch (const Refusal& refusal) {
+    throw TableFileError(path.string() + ": " + refusal.what());
+  }
+}
+
+Format format_of(std::string_view bytes) {
+  if (bytes.starts_with(kHdf5Magic)) return Format::hdf5;
+  if (bytes.starts_with(kExrMagic)) return Format::exr;
+  throw Refusal("it is neither an HDF5 nor an EXR file", "give a file written by vndf");
+}
+
+std::string encoded(Format format, const StoredTables& stored) {
+  return format == Format::hdf5 ? write_hdf5(stored) : write_exr(stored);
+}
+
+StoredTables decoded(Format format, std::string_view content) {
+  return format == Format::hdf5 ? read_hdf5(content) : read_exr(content);
+}
+
+}  // namespace
+
+Format format_for(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::ranges::transform(extension, extension.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (extension == ".h5" || extension == ".hdf5") return Format::hdf5;
+  if (extension == ".exr") return Format::exr;
+  throw TableFileError(path.string() +
+                       ": its extension names no table format; use .h5, .hdf5 or .exr");
+}
+
+void save(const std::filesystem::path& path, const TableFile& file) {
+  const Format format = format_for(path);
+  naming(path, [&] { replace_file(path, sealed(encoded(format, to_stored(file)))); });
+}
+
+TableFile load(const std::filesystem::path& path) {
+  return naming(path, [&] {
+    const std::string bytes = read_whole_file(path);
+    const Format format = format_of(bytes);
+    return from_stored(decoded(format, unsealed(bytes)));
+  });
+}
+
+}  // namespace vndf::io

@@ -1,0 +1,131 @@
+// Fills the two tables and the two curves for a slope distribution, and measures them.
+#include "vndf/precompute/build_tables.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "vndf/precompute/conditional_shape.h"
+#include "vndf/precompute/make_curve.h"
+#include "vndf/precompute/marginal_map.h"
+#include "vndf/precompute/measure_certificate.h"
+#include "vndf/precompute/quantile_rows.h"
+
+namespace vndf::precompute {
+namespace {
+
+constexpr std::size_t kLargestSize = 8192;
+constexpr std::size_t kCurveNodes = 2048;
+// The curves end where the function is nearly lost in double precision or, for a power tail, where
+// it has been a straight line for long. Of D = p22 (1 + r^2)^2 >= 1e-250 the factor p22 keeps all
+// its digits to the farthest place, and so do the tangents that continue the curve.
+constexpr double kSmallestCurveValue = 1e-250;
+constexpr double kFarthestCurve = 20;
+
+/// asinh of the last slope at which `f` is more than nothing. It may be nothing in a hole too, so
+/// the end is looked for from beyond.
+template <class F>
+double end_of(F f) {
+  constexpr double kStep = 0.95, kNearest = 1e-3;
+  constexpr int kHalvings = 30;
+  const auto positive = [&](double a) { return f(std::sinh(a)) > kSmallestCurveValue; };
+  double end = kFarthestCurve, beyond = end;
+  while (!positive(end) && end > kNearest) {
+    beyond = end;
+    end *= kStep;
+  }
+  for (int k = 0; k < kHalvings; ++k) {
+    const double middle = (end + beyond) / 2;
+    (positive(middle) ? end : beyond) = middle;
+  }
+  return end;
+}
+
+/// Samples log f(slope) to the end of f.
+template <class F>
+LogCurve<double> curve_of(const UnitSlopes& slopes, F f, const Workers& workers) {
+  const double end = end_of(f);
+  const bool open = std::isinf(slopes.support());
+  const auto ends = segment_ends(slopes.distribution(), slopes.mean_slope(), end);
+  return make_curve([&](double a) { return std::log(f(std::sinh(a))); }, ends,
+                    {.nodes = kCurveNodes, .open = open, .cusp = true}, workers);
+}
+
+LogCurve<double> ndf_curve(const UnitSlopes& slopes, const Workers& workers) {
+  // A pole is approached, not reached: to the middle of the first cell, for cubics overshoot the
+  // logarithm of a pole, the more the nearer they begin.
+  constexpr double kCentre = kPoleSegment / (2.0 * kCurveNodes * kCurveNodes);
+  const auto ndf = [&](double r) {
+    const double square = 1 + r * r;
+    return slopes.p22(std::max(r, kCentre)) * square * square;
+  };
+  return curve_of(slopes, ndf, workers);
+}
+
+LogCurve<double> backfacing_curve(const UnitSlopes& slopes, const Workers& workers) {
+  return curve_of(
+      slopes, [&](double c) { return slopes.backfacing(c).value; }, workers);
+}
+
+void require_size(const TableLayout& layout) {
+  if (layout.rows < 2 || layout.columns < kFewestColumns || layout.rows > kLargestSize ||
+      layout.columns > kLargestSize)
+    throw std::invalid_argument("table size " + std::to_string(layout.rows) + "x" +
+                                std::to_string(layout.columns) + ": from 2x5 to 8192x8192");
+}
+
+/// Workers that report rows as a part of the work of both tables, the first `before` rows done.
+Workers reporting(const BuildOptions& options, std::size_t before) {
+  Workers workers{options.threads};
+  if (options.progress)
+    workers.progress = [&options, before](std::size_t done) {
+      const double rows = 2 * static_cast<double>(options.layout.rows);
+      options.progress(static_cast<double>(before + done) / rows);
+    };
+  return workers;
+}
+
+void set_marginal(SlopeTables& tables, const UnitSlopes& slopes, const TableLayout& layout,
+                  const Workers& workers) {
+  tables.marginal_map = marginal_map(slopes);
+  const MonotoneMap map(tables.marginal_map);
+  PlacedTable placed = fill_table(marginal_rows(slopes, map), layout, workers);
+  tables.marginal = std::move(placed.table);
+  tables.marginal_rows = std::move(placed.knots);
+}
+
+void set_conditional(SlopeTables& tables, const UnitSlopes& slopes, const TableLayout& layout,
+                     const Workers& workers) {
+  const auto [scale, factorises] = conditional_shape(slopes);
+  const RowSource source = conditional_rows(slopes, scale);
+  tables.conditional_constant = scale.constant;
+  tables.conditional_quadratic = scale.quadratic;
+  PlacedTable placed = factorises ? PlacedTable{fill_with_one_row(source, layout)}
+                                  : fill_table(source, layout, workers);
+  tables.conditional = std::move(placed.table);
+  tables.conditional_rows = std::move(placed.knots);
+}
+
+}  // namespace
+
+BuiltTables build_tables(const SlopeDistribution& distribution, const BuildOptions& options) {
+  require_size(options.layout);
+  const Workers workers{options.threads};
+  const UnitSlopes slopes(distribution, workers);
+  SlopeTables tables{.distribution = distribution.name(),
+                     .mean_slope = slopes.mean_slope(),
+                     .support = slopes.support(),
+                     .log_ndf = ndf_curve(slopes, workers),
+                     .log_backfacing = backfacing_curve(slopes, workers)};
+  set_marginal(tables, slopes, options.layout, reporting(options, 0));
+  set_conditional(tables, slopes, options.layout, reporting(options, options.layout.rows));
+  if (options.progress) options.progress(1);
+
+  const auto shared = share(std::move(tables));
+  return {shared, measure_certificate(slopes, shared, workers), slopes.mass(),
+          slopes.quadrature_error()};
+}
+
+}  // namespace vndf::precompute

@@ -1,0 +1,37 @@
+// Fills the two tables and the two curves for a slope distribution, and measures them.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "vndf/certificate.h"
+#include "vndf/distributions/slope_distribution.h"
+#include "vndf/precompute/fill_table.h"
+#include "vndf/slope_tables.h"
+
+namespace vndf::precompute {
+
+struct BuildOptions {
+  /// Rows (incidence, slope x) and columns (u1, u2) of both tables; from 2 x 5 to 8192 x 8192.
+  TableLayout layout = {};
+  /// 0: one thread for each processor. The tables do not depend on it.
+  unsigned threads = 0;
+  /// Told the finished fraction now and then, from one thread at a time; may be empty.
+  std::function<void(double fraction)> progress = {};
+};
+
+struct BuiltTables {
+  std::shared_ptr<const SlopeTables> tables;
+  Certificate certificate;
+  /// Integral of p22 as given, by which it was divided.
+  double mass;
+  /// Largest relative error estimate of any integral behind the tables.
+  double quadrature_error;
+};
+
+/// Tables of `distribution`, with their certificate. Throws std::invalid_argument for sizes outside
+/// their range, std::domain_error (naming the distribution and the reason) where p22 is negative or
+/// not a number, cannot be normalised or has an infinite mean slope.
+BuiltTables build_tables(const SlopeDistribution& distribution, const BuildOptions& options = {});
+
+}  // namespace vndf::precompute

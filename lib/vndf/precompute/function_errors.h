@@ -1,0 +1,102 @@
+// How far D, Lambda and pdf of a sampler are from the exact functions, whatever the sampler is.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+#include "vndf/certificate.h"
+#include "vndf/precompute/map_errors.h"
+#include "vndf/precompute/unit_slopes.h"
+#include "vndf/support/low_discrepancy.h"
+#include "vndf/support/parallel.h"
+#include "vndf/vec.h"
+
+namespace vndf::precompute {
+
+/// `Sampler`, in single precision, at unit roughness. Both arguments must outlive this object.
+template <class Sampler>
+class FunctionErrors {
+ public:
+  FunctionErrors(const UnitSlopes& slopes, const Sampler& sampler)
+      : slopes_(slopes), sampler_(sampler) {}
+
+  /// Sets the figures of `certificate` that are of functions.
+  void measure(Certificate& certificate, const Workers& workers) const {
+    const double farthest = farthest_slope();
+    certificate.max_d_error = largest(workers, [&](std::size_t k) {
+      const double root = golden(k);  // squared, the radii crowd where D may have a pole
+      return d_error(std::sinh(farthest * root * root));
+    });
+    const auto theta = [](std::size_t k) { return std::numbers::pi / 2 * golden(k); };
+    certificate.max_lambda_error =
+        largest(workers, [&](std::size_t k) { return lambda_error(theta(k)); });
+    certificate.max_pdf_error = largest(workers, [&](std::size_t k) {
+      const double u2 = golden(k * 7, 0.125);
+      return pdf_error(theta(k), static_cast<float>(golden(k * 3)), static_cast<float>(u2));
+    });
+  }
+
+ private:
+  static constexpr std::size_t kPoints = 4000;
+  static constexpr double kNdfTail = 1e-12;
+
+  /// asinh of the radius to which D is judged.
+  double farthest_slope() const {
+    double farthest = 0;
+    while (slopes_.m(farthest) > kNdfTail && farthest < 16) farthest += 0.01;
+    return farthest;
+  }
+
+  double d_error(double r) const {
+    const double length = std::hypot(1, r * slopes_.mean_slope());
+    const Vec3<float> wm{static_cast<float>(-r * slopes_.mean_slope() / length), 0,
+                         static_cast<float>(1 / length)};
+    const double exact = exact_d(wm), given = double{sampler_.d(wm, {1, 1})};
+    return exact > 0 ? std::abs(given / exact - 1) : given;
+  }
+
+  double exact_d(const Vec3<float>& wm) const {
+    const double z = wm.z, mu = slopes_.mean_slope();
+    const double radius = std::hypot(double{wm.x}, double{wm.y}) / (z * mu);
+    return slopes_.p22(radius) / (mu * mu * z * z * z * z);
+  }
+
+  double exact_lambda(const Vec3<float>& w) const {
+    const double horizontal = slopes_.mean_slope() * std::hypot(double{w.x}, double{w.y});
+    return horizontal * slopes_.backfacing(w.z / horizontal).value / w.z;
+  }
+
+  double lambda_error(double theta) const {
+    const Vec3<float> w{static_cast<float>(std::sin(theta)), 0,
+                        static_cast<float>(std::cos(theta))};
+    const double exact = exact_lambda(w);
+    return std::abs(double{sampler_.lambda(w, {1, 1})} - exact) / (1 + exact);
+  }
+
+  /// Relative to the density that the normal would have if it faced wi: near the edge of visibility
+  /// dot(wi, wm) has only absolute precision.
+  double pdf_error(double theta, float u1, float u2) const {
+    const Vec3<float> wi{static_cast<float>(std::sin(theta)), 0,
+                         static_cast<float>(std::cos(theta))};
+    const Vec3<float> wm = sampler_.sample(wi, {1, 1}, u1, u2);
+    const double cosine = double{wi.x} * wm.x + double{wi.y} * wm.y + double{wi.z} * wm.z;
+    const double facing = exact_d(wm) / (wi.z * (1 + exact_lambda(wi)));
+    const double error = double{sampler_.pdf(wi, wm, {1, 1})} - std::max(0.0, cosine) * facing;
+    return facing > 0 ? std::abs(error) / facing : std::abs(error);
+  }
+
+  template <class F>
+  static double largest(const Workers& workers, F error) {
+    std::vector<double> errors(kPoints);
+    parallel_for(kPoints, workers, [&](std::size_t i) { errors[i] = error_or_largest(error(i)); });
+    return *std::max_element(errors.begin(), errors.end());
+  }
+
+  const UnitSlopes& slopes_;
+  const Sampler& sampler_;
+};
+
+}  // namespace vndf::precompute

@@ -1,0 +1,51 @@
+// A costly density in the form of a curve.
+#include "vndf/precompute/interpolated_density.h"
+
+#include <cmath>
+
+#include "vndf/precompute/make_curve.h"
+#include "vndf/precompute/unit_slopes.h"
+
+namespace vndf::precompute {
+namespace {
+
+constexpr std::size_t kNodes = 8192;
+constexpr double kFarthestAsinh = 40;
+constexpr double kSmallestDensity = 1e-290;
+
+class Interpolated final : public SlopeDistribution {
+ public:
+  Interpolated(const SlopeDistribution& d, double scale, LogCurve<double> curve)
+      : exact_(d), scale_(scale), curve_(std::move(curve)) {}
+  std::string name() const override { return exact_.name(); }
+  double p22(double r) const override {
+    return r == 0 ? exact_.p22(0) : curve_.at(std::asinh(r / scale_));
+  }
+  std::vector<double> breaks() const override { return exact_.breaks(); }
+  double support() const override { return exact_.support(); }
+  std::optional<Marginals> marginals(double x) const override { return exact_.marginals(x); }
+
+ private:
+  const SlopeDistribution& exact_;
+  double scale_;
+  LogCurve<double> curve_;
+};
+
+}  // namespace
+
+std::unique_ptr<SlopeDistribution> interpolated_density(const SlopeDistribution& d, double scale,
+                                                        const Workers& workers) {
+  const auto density = [&](double a) { return d.p22(scale * std::sinh(a)); };
+  double end = kFarthestAsinh;
+  while (!(density(end) > kSmallestDensity) && end > 1e-3) end *= 0.98;
+  const auto ends = segment_ends(d, scale, end);
+  const CurveOptions options{.nodes = kNodes, .open = std::isinf(d.support()), .cusp = true};
+  // A singular centre is approached, not reached.
+  const auto log_density = [&](double a) {
+    const double value = density(a);
+    return std::log(std::isinf(value) ? density(1e-12) : value);
+  };
+  return std::make_unique<Interpolated>(d, scale, make_curve(log_density, ends, options, workers));
+}
+
+}  // namespace vndf::precompute

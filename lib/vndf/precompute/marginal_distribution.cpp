@@ -1,0 +1,130 @@
+// The marginal distribution of visible slopes at one incidence.
+#include "vndf/precompute/marginal_distribution.h"
+
+#include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+#include <limits>
+
+#include "vndf/precompute/bracketed_newton.h"
+
+namespace vndf::precompute {
+namespace {
+
+// Below this distance from the edge at cot(theta) the closed form of 1 - V loses more than two
+// digits, and Gauss's rule on the positive integrand is exact to rounding where P is smooth: where
+// it changes by no more than this factor. A narrow part of a mixture takes a smaller distance, at
+// which the closed form loses more digits of a smaller mass. So does an edge near x = 0 if P has a
+// cusp or a pole there, which two halves of the rule see: half the way to it the rule is exact
+// again.
+constexpr double kNear = 0.25;
+constexpr double kHalvesDiffer = 1e-8;  // relative; P itself is that good
+constexpr double kSmoothRatio = 4;
+constexpr double kNearest = 1e-6;
+// exp(-740) is the smallest normal number: no slope that a table holds lies beyond.
+constexpr double kFarthestLow = 740;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Whether P changes slowly from `low` to `high`, both asinh of slopes.
+bool smooth_over(const UnitSlopes& slopes, double low, double high) {
+  constexpr int kPlaces = 8;
+  double least = kInfinity, most = 0;
+  for (int k = 0; k <= kPlaces; ++k) {
+    const double p = slopes.p_da(low + (high - low) * k / kPlaces);
+    least = std::min(least, p);
+    most = std::max(most, p);
+  }
+  return most <= kSmoothRatio * least;
+}
+
+/// From here to the edge Gauss's rule serves: near cot(theta), above the last break of P.
+double smooth_edge(const UnitSlopes& slopes, double farthest, double cotangent) {
+  if (farthest < cotangent) return kInfinity;  // the edge is that of the distribution
+  double near = kNear;
+  while (near > kNearest && !smooth_over(slopes, farthest - near, farthest)) near /= 2;
+  double from = farthest - near;
+  for (const double r : slopes.distribution().breaks()) {
+    const double a = std::asinh(r / slopes.mean_slope());
+    if (a < farthest) from = std::max(from, a);
+  }
+  return from;
+}
+
+}  // namespace
+
+double asinh_of(const BoundedSlope<double>& slope) {
+  return std::log(slope.sigma / slope.complement);
+}
+
+BoundedSlope<double> bounded_from_asinh(double a) {
+  return {1 / (1 + std::exp(-a)), 1 / (1 + std::exp(a))};
+}
+
+VisibleSlopes::VisibleSlopes(const UnitSlopes& slopes, const BoundedSlope<double>& c)
+    : slopes_(slopes),
+      farthest_(std::min(asinh_of(c), std::asinh(slopes.support()))),
+      cotangent_(asinh_of(c)),
+      cosine_(c.numerator() / c.hypotenuse()),
+      sine_(c.denominator() / c.hypotenuse()),
+      norm_(cosine_ * (1 - slopes.q(cotangent_)) + sine_ * slopes.m(cotangent_)),
+      smooth_from_(smooth_edge(slopes, farthest_, cotangent_)) {
+  const double middle = farthest_ / 2;
+  if (smooth_from_ >= middle || !(farthest_ > 0)) return;
+  const double whole = gauss(0, farthest_), halves = gauss(0, middle) + gauss(middle, farthest_);
+  if (std::abs(whole - halves) > kHalvesDiffer * halves) smooth_from_ = middle;
+}
+
+double VisibleSlopes::lower_mass(double b) const {
+  return cosine_ * slopes_.q(b) + sine_ * slopes_.m(b);
+}
+
+double VisibleSlopes::upper_mass(double a) const {
+  if (a >= farthest_) return 0;
+  if (a > smooth_from_) return gauss(a, farthest_);
+  return cosine_ * (slopes_.q(a) - slopes_.q(farthest_)) -
+         sine_ * (slopes_.m(a) - slopes_.m(farthest_));
+}
+
+double VisibleSlopes::gauss(double low, double high) const {
+  return boost::math::quadrature::gauss<double, 10>::integrate(
+      [this](double t) { return weighted_density(t); }, low, high);
+}
+
+double VisibleSlopes::weighted_density(double a) const {
+  // cos - sin x = sin (sinh(cotangent) - sinh(a)), as a product so that it keeps its digits.
+  const double projection = std::isinf(cotangent_) ? cosine_
+                                                   : 2 * sine_ * std::cosh((cotangent_ + a) / 2) *
+                                                         std::sinh((cotangent_ - a) / 2);
+  return projection * slopes_.p_da(a);
+}
+
+Probability<double> VisibleSlopes::cdf(double a) const {
+  if (a > 0) {
+    const double complement = upper_mass(a) / norm_;
+    return {1 - complement, complement};
+  }
+  const double u = lower_mass(-a) / norm_;
+  return {u, 1 - u};
+}
+
+double VisibleSlopes::quantile(const Probability<double>& u, double guess) const {
+  if (u.u == 0) return -kInfinity;
+  if (u.complement == 0) return farthest_;
+  // Both branches solve for the logarithm of a mass: the tails are close to straight lines there.
+  if (u.u * norm_ <= lower_mass(0)) {
+    const double target = std::log(u.u * norm_);
+    const auto f = [&](double b) {
+      const double mass = lower_mass(b);
+      return ValueAndSlope{std::log(mass) - target, -weighted_density(-b) / mass};
+    };
+    return -bracketed_newton(f, {0, kFarthestLow}, -guess);
+  }
+  const double target = std::log(u.complement * norm_);
+  const auto f = [&](double a) {
+    const double mass = upper_mass(a);
+    return ValueAndSlope{std::log(mass) - target, -weighted_density(a) / mass};
+  };
+  return bracketed_newton(f, {0, std::min(farthest_, kFarthestLow)}, guess);
+}
+
+}  // namespace vndf::precompute

@@ -1,0 +1,140 @@
+// The map through which the values of a marginal table go.
+#include "vndf/precompute/marginal_map.h"
+
+#include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "vndf/differences.h"
+#include "vndf/precompute/bracketed_newton.h"
+#include "vndf/precompute/marginal_distribution.h"
+#include "vndf/table_coordinates.h"
+
+namespace vndf::precompute {
+namespace {
+
+constexpr double kPanel = 0.04;    // of asinh(slope)
+constexpr double kFarthest = 700;  // exp(-700) is the smallest number that is told from 0
+constexpr int kHalvings = 40;      // of the panels towards 0 and the breaks
+// The first node has a base probability of 1e-12 or more; what is below this matters to none.
+constexpr double kSmallestMoment = 1e-16;
+
+/// A density over a = asinh(slope), up to a factor, with the integrals below and above the edges of
+/// its panels: both are sums of positive terms, so neither tail is a difference.
+class PanelledDensity {
+ public:
+  PanelledDensity(std::function<double(double)> density, std::vector<double> edges)
+      : density_(std::move(density)), edge_(std::move(edges)) {
+    head_.assign(edge_.size(), 0);
+    tail_.assign(edge_.size(), 0);
+    for (std::size_t k = 1; k < edge_.size(); ++k)
+      head_[k] = head_[k - 1] + integral(edge_[k - 1], edge_[k]);
+    for (std::size_t k = edge_.size() - 1; k-- > 0;)
+      tail_[k] = tail_[k + 1] + integral(edge_[k], edge_[k + 1]);
+  }
+
+  double normalized(double a) const { return density_(a) / head_.back(); }
+
+  double quantile(const Probability<double>& p) const {
+    return p.u < 0.5 ? from_below(p.u * head_.back()) : from_above(p.complement * tail_.front());
+  }
+
+ private:
+  double integral(double low, double high) const {
+    return boost::math::quadrature::gauss<double, 10>::integrate(density_, low, high);
+  }
+
+  double from_below(double mass) const {
+    const auto above = std::upper_bound(head_.begin() + 1, head_.end() - 1, mass);
+    const auto k = static_cast<std::size_t>(above - head_.begin()) - 1;
+    const auto f = [&](double a) {
+      return ValueAndSlope{mass - head_[k] - integral(edge_[k], a), -density_(a)};
+    };
+    return bracketed_newton(f, {edge_[k], edge_[k + 1]}, edge_[k]);
+  }
+
+  double from_above(double mass) const {
+    const auto below = std::lower_bound(tail_.begin() + 1, tail_.end() - 1, mass, std::greater<>());
+    const auto k = static_cast<std::size_t>(below - tail_.begin()) - 1;
+    const auto f = [&](double a) {
+      return ValueAndSlope{tail_[k + 1] + integral(a, edge_[k + 1]) - mass, -density_(a)};
+    };
+    return bracketed_newton(f, {edge_[k], edge_[k + 1]}, edge_[k + 1]);
+  }
+
+  std::function<double(double)> density_;
+  std::vector<double> edge_, head_, tail_;
+};
+
+/// Edges of panels over asinh(slope) >= 0, narrower towards 0 and the breaks.
+std::vector<double> panel_edges(const UnitSlopes& slopes) {
+  const double end = std::min(kFarthest, std::asinh(slopes.support()));
+  std::vector<double> edges{0, end};
+  const auto add = [&](double edge) {
+    if (edge > 0 && edge < end) edges.push_back(edge);
+  };
+  const auto add_around = [&](double place) {
+    add(place);
+    for (int k = 1; k <= kHalvings; ++k)
+      for (const double side : {-1.0, 1.0}) add(place + side * std::ldexp(kPanel, -k));
+  };
+  for (int k = 1; kPanel * k < end; ++k) add(kPanel * k);
+  add_around(0);
+  for (const double r : slopes.distribution().breaks())
+    add_around(std::asinh(r / slopes.mean_slope()));
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  while (edges.size() > 2 && slopes.m(edges[edges.size() - 2]) < kSmallestMoment) edges.pop_back();
+  return edges;
+}
+
+std::vector<double> mirrored(const std::vector<double>& half) {
+  std::vector<double> edges;
+  for (std::size_t k = half.size(); k-- > 1;) edges.push_back(-half[k]);
+  edges.insert(edges.end(), half.begin(), half.end());
+  return edges;
+}
+
+/// Tangents of the first and the last node, where those of the map itself may be 0 or infinite: of
+/// the parabola through the node with the value and tangent of its neighbour.
+void set_end_tangents(std::vector<CubicNode<double>>& nodes) {
+  const auto parabola = [](const auto& end, const auto& beside) {
+    return 2 * std::abs(beside.value - end.value) - beside.tangent;
+  };
+  const std::size_t last = nodes.size() - 1;
+  nodes[0].tangent = parabola(nodes[0], nodes[1]);
+  nodes[last].tangent = parabola(nodes[last], nodes[last - 1]);
+}
+
+/// Limits the tangents to what keeps the map increasing.
+void limit_tangents(std::vector<CubicNode<double>>& nodes) {
+  const auto value = [&](std::size_t k) { return nodes[k].value; };
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    nodes[k].tangent = std::clamp(nodes[k].tangent, 0.0, steepest_tangent(value, nodes.size(), k));
+}
+
+}  // namespace
+
+std::vector<CubicNode<double>> marginal_map(const UnitSlopes& slopes, std::size_t pieces) {
+  const PanelledDensity base([&](double a) { return slopes.p_da(a) * (1 + std::exp(-a)); },
+                             mirrored(panel_edges(slopes)));
+  const double spacing = 1 / static_cast<double>(pieces);
+  std::vector<CubicNode<double>> map{{0, 0}};
+  for (std::size_t k = 1; k < pieces; ++k) {
+    const double t = spacing * static_cast<double>(k);
+    const auto p = marginal_column_inverse(t);
+    const double a = base.quantile(p);
+    const auto sigma = bounded_from_asinh(a);
+    // The logit of sigma is a, so its derivative by a is sigma (1 - sigma).
+    const double da_dt = marginal_column_rate(t) / base.normalized(a);
+    map.push_back({sigma.sigma, sigma.denominator() * da_dt * spacing});
+  }
+  map.push_back({bounded_from_slope(slopes.support()).sigma, 0});
+  set_end_tangents(map);
+  limit_tangents(map);
+  return map;
+}
+
+}  // namespace vndf::precompute

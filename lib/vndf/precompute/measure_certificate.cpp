@@ -1,0 +1,154 @@
+// Measures the pair of tables against the exact distribution.
+#include "vndf/precompute/measure_certificate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "vndf/precompute/conditional_distribution.h"
+#include "vndf/precompute/function_errors.h"
+#include "vndf/precompute/map_errors.h"
+#include "vndf/precompute/marginal_distribution.h"
+#include "vndf/precompute/row_errors.h"
+#include "vndf/tabulated_sampler.h"
+
+namespace vndf::precompute {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+Probability<float> narrow(const Probability<double>& p) {
+  return {static_cast<float>(p.u), static_cast<float>(p.complement)};
+}
+
+/// A row of which the CDFs are known, with complement, of what the sampler returns for u, in single
+/// and in double precision.
+template <class FloatMap, class DoubleMap>
+class PairRow final : public RowMap {
+ public:
+  PairRow(FloatMap in_single, DoubleMap in_double, bool judged_in_double)
+      : single_(in_single), double_(in_double), in_double_(judged_in_double) {}
+
+  Probability<double> given(const Probability<double>& u) const override {
+    return in_double_ ? u : widened(narrow(u));
+  }
+  Probability<double> cdf(const Probability<double>& u) const override {
+    return in_double_ ? double_(u) : single_(narrow(u));
+  }
+  Probability<double> tail_cdf(const Probability<double>& u) const override { return cdf(u); }
+  Probability<double> smooth_cdf(const Probability<double>& u,
+                                 const Probability<double>&) const override {
+    return double_(u);
+  }
+
+ private:
+  FloatMap single_;
+  DoubleMap double_;
+  bool in_double_;  // the precision that is judged
+};
+
+/// Everything that judging needs, made once.
+struct Judge {
+  const UnitSlopes& slopes;
+  TabulatedSampler<float> sampler;
+  TabulatedSampler<double> sampler_double;
+
+  /// A direction of the unit-mean-slope configuration, as floats that are then taken as exact.
+  struct Direction {
+    float z, s;
+  };
+
+  static Direction direction(const BoundedSlope<double>& c) {
+    return {static_cast<float>(c.numerator() / c.hypotenuse()),
+            static_cast<float>(c.denominator() / c.hypotenuse())};
+  }
+  Direction direction(double theta) const {
+    return {static_cast<float>(std::cos(theta)),
+            static_cast<float>(slopes.mean_slope() * std::sin(theta))};
+  }
+
+  TableErrors marginal_row(const Direction& w, std::size_t index) const {
+    const BoundedSlope<float> c = bounded_cotangent(w.z, w.s);
+    const BoundedSlope<double> exact = bounded_cotangent<double>(w.z, w.s);
+    const VisibleSlopes visible(slopes, exact);
+    // From the bounded form, for the slope itself may be beyond the range of single precision.
+    const auto cdf_of = [&](const auto& x) {
+      const double sigma = x.sigma;
+      return visible.cdf(std::min(std::log(sigma / (1 - sigma)), visible.farthest()));
+    };
+    const auto sampled = [&](const Probability<float>& u) {
+      return cdf_of(sampler.sample_marginal(c, u));
+    };
+    const auto sampled_double = [&](const Probability<double>& u) {
+      return cdf_of(sampler_double.sample_marginal(exact, u));
+    };
+    const double theta = std::atan2(w.s / slopes.mean_slope(), w.z) / kDegree;
+    const QuantileTable& table = sampler.tables().marginal;
+    return judge_row(PairRow(sampled, sampled_double, table.in_double()),
+                     {theta, marginal_column_inverse<double>, table.columns()}, index);
+  }
+
+  TableErrors conditional_row(double x, std::size_t index) const {
+    const auto bounded = bounded_from_sigma(static_cast<float>(bounded_from_slope(x).sigma));
+    const BoundedSlope<double> exact = bounded_from_sigma<double>(bounded.sigma);
+    const SlopeTables& tables = sampler.tables();
+    const ConditionalSlopes conditional(
+        slopes, exact.slope(), {tables.conditional_constant, tables.conditional_quadratic});
+    const auto cdf_of = [&](auto sign, auto v) {
+      const double y = conditional_value_inverse(double{v}).slope();
+      const double half = conditional.cdf(y).complement / 2;
+      return sign < 0 ? from_tail(half) : from_complement(half);
+    };
+    const auto sampled = [&](const Probability<float>& u2) {
+      const auto folded = fold(u2);
+      return cdf_of(folded.sign, sampler.sample_conditional(bounded, folded.p));
+    };
+    const auto sampled_double = [&](const Probability<double>& u2) {
+      const auto folded = fold(u2);
+      return cdf_of(folded.sign, sampler_double.sample_conditional(exact, folded.p));
+    };
+    const double place = exact.slope() * slopes.mean_slope();
+    return judge_row(PairRow(sampled, sampled_double, tables.conditional.in_double()),
+                     {place, conditional_u2, tables.conditional.columns()}, index);
+  }
+};
+
+TableErrors judge_marginal(const Judge& judge, const Workers& workers) {
+  const RowAxis rows(judge.sampler.tables().marginal_rows);
+  std::vector<Judge::Direction> directions;
+  for (const double row : off_grid_rows(judge.sampler.tables().marginal.rows(), kJudgedRows))
+    directions.push_back(Judge::direction(marginal_base_inverse(rows.base(row))));
+  for (const double degrees : kHardIncidences)
+    directions.push_back(judge.direction(degrees * kDegree));
+  return judge_rows(directions.size(), workers,
+                    [&](std::size_t i) { return judge.marginal_row(directions[i], i); });
+}
+
+TableErrors judge_conditional(const Judge& judge, const Workers& workers) {
+  const SlopeTables& tables = judge.sampler.tables();
+  const RowAxis rows(tables.conditional_rows);
+  std::vector<double> reached;
+  for (const double row : off_grid_rows(tables.conditional.rows(), kJudgedRows)) {
+    const double x = conditional_base_inverse(rows.base(row));
+    const auto sigma = static_cast<float>(bounded_from_slope(x).sigma);
+    if (judges_conditional(judge.slopes, x, sigma)) reached.push_back(x);
+  }
+  return judge_rows(reached.size(), workers,
+                    [&](std::size_t i) { return judge.conditional_row(reached[i], i); });
+}
+
+}  // namespace
+
+Certificate measure_certificate(const UnitSlopes& slopes,
+                                const std::shared_ptr<const SlopeTables>& tables,
+                                const Workers& workers) {
+  const Judge judge{slopes, TabulatedSampler<float>(tables), TabulatedSampler<double>(tables)};
+  Certificate certificate;
+  certificate.marginal = judge_marginal(judge, workers);
+  certificate.conditional = judge_conditional(judge, workers);
+  FunctionErrors(slopes, judge.sampler).measure(certificate, workers);
+  return certificate;
+}
+
+}  // namespace vndf::precompute

@@ -1,0 +1,318 @@
+// Measures baked tables against the exact distribution, by the steps of kernel_text.h.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "vndf/precompute/conditional_distribution.h"
+#include "vndf/precompute/function_errors.h"
+#include "vndf/precompute/map_errors.h"
+#include "vndf/precompute/marginal_distribution.h"
+#include "vndf/precompute/measure_certificate.h"
+#include "vndf/precompute/row_errors.h"
+
+namespace vndf::precompute {
+namespace {
+
+using kernel::VndfDirection;
+using kernel::VndfDraw;
+using kernel::VndfTables;
+
+constexpr double kDegree = std::numbers::pi / 180;
+// Baked tables have no grid of their own; rows and columns are those of a pair of this size.
+constexpr std::size_t kNominalSize = 1024;
+
+/// Of what is no number; tables that give it are not refused but measured.
+constexpr Probability<double> kNoProbability{std::numeric_limits<double>::quiet_NaN(),
+                                             std::numeric_limits<double>::quiet_NaN()};
+
+/// u, or the end beyond which the kernel does not look.
+float kernel_u(const Probability<double>& u) {
+  return std::clamp(static_cast<float>(u.u), kernel::kVndfLeastU, kernel::kVndfMostU);
+}
+
+Probability<double> given_to_kernel(const Probability<double>& u) {
+  return from_tail(kernel_u(u));
+}
+
+/// The powers of two, at which keys begin, from both ends to one half.
+std::vector<Probability<double>> edges_of_keys() {
+  std::vector<Probability<double>> edges;
+  for (int k = 1; k <= 25; ++k) {
+    edges.push_back(from_tail(std::ldexp(1, -k)));
+    edges.push_back(from_complement(std::ldexp(1, -k)));
+  }
+  return edges;
+}
+
+double value(const kernel::float4& cubic, double f) {
+  return cubic[0] + f * (cubic[2] + f * (cubic[1] + f * double{cubic[3]}));
+}
+
+/// The power of two by which places of the upper half of an axis are larger.
+double apart(kernel::uint octaves) {
+  return kernel::float_of(0x3f800000u + octaves);
+}
+
+/// One of the cubics of a draw over u, which may be followed in double precision.
+class FollowedCubic {
+ public:
+  /// Of lane 0, that of u1, or of lane 2.
+  FollowedCubic(const VndfTables& tables, const VndfDraw& draw, int lane)
+      : tables_(tables),
+        cubic_(lane == 0 ? draw.marginal : draw.conditional),
+        upper_(draw.upper[lane] != 0),
+        start_(double{draw.places[lane]} - double{draw.f[lane]}) {
+    if (lane == 0 && upper_) apart_ = apart(tables.column_upper - kernel::kVndfSign);
+    mirrored_ = lane != 0 && tables.separable == 0 && draw.places[lane] > tables.column_span / 2;
+    if (mirrored_) apart_ = apart(tables.column_mirror);
+  }
+
+  bool upper() const { return upper_; }
+
+  double at(const Probability<double>& u) const {
+    const double q = upper_ ? u.complement : u.u;
+    const double p =
+        tables_.column_roots != 0 ? std::sqrt(2 * q) + double{tables_.column_offset} : q;
+    return value(cubic_, apart_ * (mirrored_ ? tables_.column_span - p : p) - start_);
+  }
+
+ private:
+  const VndfTables& tables_;
+  kernel::float4 cubic_;
+  bool upper_, mirrored_;
+  double apart_ = 1, start_;
+};
+
+/// The root of sigma where a draw is and next to it, in double precision: its cubic over u1, and
+/// the map behind it where there is one.
+class FollowedRoot {
+ public:
+  FollowedRoot(const VndfTables& tables, const VndfDraw& draw)
+      : tables_(tables), draw_(draw), over_u_(tables, draw, 0) {}
+
+  double at(const Probability<double>& u) const {
+    const double root = tables_.separable != 0 ? over_u_.at(u) : mapped(over_u_.at(u));
+    return std::clamp(root, double{tables_.least_root}, double{tables_.most_root});
+  }
+
+ private:
+  double mapped(double s) const {
+    const double side = draw_.s > tables_.slope_middle ? 1 : -1;
+    const double far = side > 0 ? apart(tables_.slope_upper) : 1;
+    const double place = far * std::min(side * (s - tables_.slope_middle) + tables_.slope_offset,
+                                        double{tables_.slope_most});
+    const double start = double{kernel::vndf_slope_place(tables_, draw_.s)} - double{draw_.map_f};
+    return value(draw_.map, place - start);
+  }
+
+  const VndfTables& tables_;
+  const VndfDraw& draw_;
+  FollowedCubic over_u_;
+};
+
+/// A slope x that the kernel gives, in its own terms.
+struct KernelSlope {
+  double sigma;
+
+  double d() const { return sigma * (1 - sigma); }
+  /// In units of U.
+  double x() const { return (sigma - 0.5) / d(); }
+};
+
+/// Slopes of the kernel in units of the mean slope.
+class KernelUnits {
+ public:
+  KernelUnits(const VndfTables& tables, double mean_slope)
+      : tables_(tables), unit_(tables.unit / mean_slope) {}
+
+  double x(const KernelSlope& slope) const { return unit_ * slope.x(); }
+
+  /// The scale of y given x; without the rounding of x, within which it changes at a rim.
+  double scale(const KernelSlope& slope) const {
+    const double x = slope.x(), rim = tables_.rim;
+    if (rim > 0) return unit_ * std::sqrt(std::max((rim - x) * (rim + x), 0.0));
+    return unit_ * (tables_.scale_root * std::hypot(1, x) + tables_.scale_constant);
+  }
+
+ private:
+  const VndfTables& tables_;
+  double unit_;
+};
+
+/// Slope x over u1 at one incidence.
+class MarginalRow final : public RowMap {
+ public:
+  MarginalRow(const VndfTables& tables, const KernelUnits& units, const VndfDirection& direction,
+              const VisibleSlopes& visible)
+      : tables_(tables), units_(units), direction_(direction), visible_(visible) {}
+
+  Probability<double> given(const Probability<double>& u) const override {
+    return given_to_kernel(u);
+  }
+  Probability<double> cdf(const Probability<double>& u) const override {
+    const float root = draw(u).root, sigma = root * root;
+    return cdf_of(sigma);
+  }
+  Probability<double> tail_cdf(const Probability<double>& u) const override {
+    return smooth_cdf(u, u);
+  }
+  Probability<double> smooth_cdf(const Probability<double>& u,
+                                 const Probability<double>& place) const override {
+    const VndfDraw drawn = draw(place);
+    const double root = FollowedRoot(tables_, drawn).at(u);
+    return cdf_of(root * root);
+  }
+
+ private:
+  VndfDraw draw(const Probability<double>& u) const {
+    return vndf_draw(tables_, direction_, kernel_u(u), 0.5f);
+  }
+  /// At most the cotangent, as the kernel gives it.
+  Probability<double> cdf_of(double sigma) const {
+    const double a = std::asinh(units_.x({sigma}));
+    return std::isnan(a) ? kNoProbability : visible_.cdf(std::min(a, visible_.farthest()));
+  }
+
+  const VndfTables& tables_;
+  const KernelUnits& units_;
+  const VndfDirection& direction_;
+  const VisibleSlopes& visible_;
+};
+
+/// Where a slope x is drawn.
+struct SlopePlace {
+  VndfDirection direction;
+  float u1;
+};
+
+/// Slope y over u2 at one slope x.
+class ConditionalRow final : public RowMap {
+ public:
+  /// `scale` is that of y, over that of `conditional`.
+  ConditionalRow(const VndfTables& tables, const SlopePlace& place, double scale,
+                 const ConditionalSlopes& conditional)
+      : tables_(tables), place_(place), scale_(scale), conditional_(conditional) {}
+
+  Probability<double> given(const Probability<double>& u) const override {
+    return given_to_kernel(u);
+  }
+  Probability<double> cdf(const Probability<double>& u) const override { return cdf_of(draw(u).v); }
+  Probability<double> tail_cdf(const Probability<double>& u) const override {
+    return smooth_cdf(u, u);
+  }
+  Probability<double> smooth_cdf(const Probability<double>& u,
+                                 const Probability<double>& place) const override {
+    const FollowedCubic cubic(tables_, draw(place), 2);
+    return cdf_of(cubic.upper() ? -cubic.at(u) : cubic.at(u));
+  }
+
+ private:
+  VndfDraw draw(const Probability<double>& u) const {
+    return vndf_draw(tables_, place_.direction, place_.u1, kernel_u(u));
+  }
+  Probability<double> cdf_of(double v) const {
+    if (std::isnan(v)) return kNoProbability;
+    const double half = conditional_.cdf(std::abs(v) * scale_).complement / 2;
+    return v < 0 ? from_tail(half) : from_complement(half);
+  }
+
+  const VndfTables& tables_;
+  const SlopePlace& place_;
+  double scale_;
+  const ConditionalSlopes& conditional_;
+};
+
+/// Everything that judging needs, made once.
+struct Judge {
+  const UnitSlopes& slopes;
+  const VndfTables& tables;
+  KernelUnits units;
+
+  /// A direction whose stretched cotangent is z / s, as floats that are then taken as exact.
+  struct Direction {
+    float z, s;
+  };
+
+  Direction direction(const BoundedSlope<double>& c) const {
+    const double z = c.numerator(), s = c.denominator() / slopes.mean_slope();
+    const double length = std::hypot(z, s);
+    return {static_cast<float>(z / length), static_cast<float>(s / length)};
+  }
+
+  VndfDirection at(const Direction& w) const { return vndf_at(tables, {w.s, 0, w.z}, 1, 1); }
+
+  TableErrors marginal_row(const Direction& w, std::size_t index) const {
+    const VisibleSlopes visible(slopes, bounded_cotangent(double{w.z}, w.s * slopes.mean_slope()));
+    const VndfDirection stretched = at(w);
+    return judge_row(MarginalRow(tables, units, stretched, visible),
+                     {std::atan2(w.s, w.z) / kDegree, marginal_column_inverse<double>, kNominalSize,
+                      edges_of_keys()},
+                     index);
+  }
+
+  /// The place at which a slope next to `x`, in units of the mean slope, is drawn: seen from the
+  /// pole where it is above 0, seen at grazing incidence where it is below.
+  SlopePlace place_of(double x) const {
+    const VndfDirection w = at(x > 0 ? Direction{1, 0} : Direction{0, 1});
+    const auto sigma = bounded_from_slope(x * slopes.mean_slope() / tables.unit).sigma;
+    return {w, vndf_bisect(tables, w, static_cast<float>(sigma), 0.5f, false)};
+  }
+
+  float sigma_at(const SlopePlace& place) const {
+    const float root = vndf_draw(tables, place.direction, place.u1, 0.5f).root;
+    return root * root;
+  }
+
+  TableErrors conditional_row(const SlopePlace& place, std::size_t index) const {
+    const KernelSlope slope{sigma_at(place)};
+    const double x = std::abs(units.x(slope));
+    const ConditionalSlopes conditional(slopes, x, plain_scale(slopes));
+    return judge_row(
+        ConditionalRow(tables, place, units.scale(slope) / conditional.scale(), conditional),
+        {x * slopes.mean_slope(), conditional_u2, kNominalSize, edges_of_keys()}, index);
+  }
+};
+
+TableErrors judge_marginal(const Judge& judge, const Workers& workers) {
+  std::vector<Judge::Direction> directions;
+  for (const double row : off_grid_rows(kNominalSize, kJudgedRows))
+    directions.push_back(judge.direction(marginal_base_inverse(row)));
+  for (const double degrees : kHardIncidences)
+    directions.push_back({static_cast<float>(std::cos(degrees * kDegree)),
+                          static_cast<float>(std::sin(degrees * kDegree))});
+  return judge_rows(directions.size(), workers,
+                    [&](std::size_t i) { return judge.marginal_row(directions[i], i); });
+}
+
+TableErrors judge_conditional(const Judge& judge, const Workers& workers) {
+  std::vector<SlopePlace> places;
+  double side = 1;
+  for (const double row : off_grid_rows(kNominalSize, kJudgedRows)) {
+    side = -side;
+    const SlopePlace place = judge.place_of(side * conditional_base_inverse(row));
+    const float sigma = judge.sigma_at(place);
+    const double x = std::abs(judge.units.x({sigma}));
+    // What lies beyond the first or the last u1 is not drawn.
+    if (kernel::vndf_inside(place.u1) && judges_conditional(judge.slopes, x, sigma))
+      places.push_back(place);
+  }
+  return judge_rows(places.size(), workers,
+                    [&](std::size_t i) { return judge.conditional_row(places[i], i); });
+}
+
+}  // namespace
+
+Certificate measure_certificate(const UnitSlopes& slopes, const Kernel& kernel,
+                                const Workers& workers) {
+  const VndfTables& tables = kernel.tables();
+  const Judge judge{slopes, tables, KernelUnits(tables, slopes.mean_slope())};
+  Certificate certificate;
+  certificate.marginal = judge_marginal(judge, workers);
+  certificate.conditional = judge_conditional(judge, workers);
+  FunctionErrors(slopes, kernel).measure(certificate, workers);
+  return certificate;
+}
+
+}  // namespace vndf::precompute

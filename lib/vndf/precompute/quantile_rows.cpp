@@ -1,0 +1,88 @@
+// The rows of the two tables.
+#include "vndf/precompute/quantile_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "vndf/precompute/conditional_distribution.h"
+#include "vndf/precompute/marginal_distribution.h"
+
+namespace vndf::precompute {
+namespace {
+
+// The last row of the conditional table stands for |x| = infinity, where at this slope all limits
+// are reached to one part in 1e16, or for the largest slope R, where at this part of it they are to
+// 1e-8; nearer to it r = sqrt(x^2 + y^2) would be rounded beyond R.
+constexpr double kLargestSlope = 1e8;
+constexpr double kInsideSupport = 1 - 1e-8;
+// Where less of the partial moment is left, no sample lands.
+constexpr double kNoMass = 1e-60;
+constexpr double kFarthestStep = 1e-3;
+
+using Probabilities = std::vector<Probability<double>>;
+
+std::vector<double> marginal_values(const UnitSlopes& slopes, const MonotoneMap& map, double base,
+                                    const Probabilities& u) {
+  const VisibleSlopes visible(slopes, marginal_base_inverse(base));
+  std::vector<double> values;
+  double a = -1;
+  for (const auto& p : u) {
+    const double quantile = visible.quantile(p, a);
+    values.push_back(map.inverse(bounded_from_asinh(quantile).sigma));
+    if (std::isfinite(quantile)) a = quantile;
+  }
+  return values;
+}
+
+/// Empty where no sample can land.
+std::vector<double> conditional_values(const UnitSlopes& slopes,
+                                       const ConditionalScale<double>& scale, double base,
+                                       const Probabilities& p) {
+  const double largest = std::min(kLargestSlope, slopes.support() * kInsideSupport);
+  const double x = std::min(conditional_base_inverse(base), largest);
+  if (!ConditionalSlopes::reachable(slopes, x)) return {};
+  const ConditionalSlopes conditional(slopes, x, scale);
+  std::vector<double> values;
+  for (const auto& at : p)
+    values.push_back(conditional_value(bounded_from_slope(conditional.quantile(at))));
+  return values;
+}
+
+/// asinh of the slope beyond which no sample lands; infinite for power tails, whose conditionals
+/// have a limit.
+double farthest_sampled(const UnitSlopes& slopes) {
+  if (std::isfinite(slopes.support())) return std::asinh(slopes.support());
+  if (std::isfinite(slopes.tail_exponent())) return std::numeric_limits<double>::infinity();
+  double a = 0;
+  while (slopes.m(a) > kNoMass) a += kFarthestStep;
+  return a;
+}
+
+}  // namespace
+
+RowSource marginal_rows(const UnitSlopes& slopes, const MonotoneMap& map) {
+  RowSource source{[&slopes, &map](double base, const Probabilities& u) {
+                     return marginal_values(slopes, map, base, u);
+                   },
+                   marginal_column_inverse<double>};
+  for (const double r : slopes.distribution().breaks())
+    source.breaks.push_back(marginal_base(bounded_from_slope(r / slopes.mean_slope())));
+  std::sort(source.breaks.begin(), source.breaks.end());
+  return source;
+}
+
+RowSource conditional_rows(const UnitSlopes& slopes, const ConditionalScale<double>& scale) {
+  RowSource source{[&slopes, &scale](double base, const Probabilities& p) {
+                     return conditional_values(slopes, scale, base, p);
+                   },
+                   conditional_column_inverse<double>};
+  source.end = conditional_base(bounded_from_asinh(farthest_sampled(slopes)));
+  for (const double r : slopes.distribution().breaks()) {
+    const double base = conditional_base(bounded_from_slope(r / slopes.mean_slope()));
+    if (base < source.end) source.breaks.push_back(base);
+  }
+  return source;
+}
+
+}  // namespace vndf::precompute

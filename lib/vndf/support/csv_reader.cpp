@@ -1,0 +1,76 @@
+// Lines of comma-separated numbers, read strictly.
+#include "vndf/support/csv_reader.h"
+
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+#include <system_error>
+
+#include "vndf/support/text.h"
+
+namespace vndf::precompute {
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r";
+  const std::size_t first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+void split(std::string_view line, std::vector<std::string_view>& fields) {
+  fields.clear();
+  for (std::size_t comma = 0; comma != std::string_view::npos;) {
+    comma = line.find(',');
+    fields.push_back(trimmed(line.substr(0, comma)));
+    line.remove_prefix(comma == std::string_view::npos ? line.size() : comma + 1);
+  }
+}
+
+}  // namespace
+
+std::ifstream open_csv(const std::filesystem::path& path) {
+  const auto refuse = [&](const char* why) {
+    throw std::runtime_error(path.string() + ": " + why);
+  };
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) refuse("there is no such file; check the path");
+  if (!std::filesystem::is_regular_file(status))
+    refuse("it is not a file; give the path of a file");
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) refuse("it cannot be read; check its permissions");
+  return stream;
+}
+
+bool CsvReader::next_line() {
+  while (std::getline(stream_, text_)) {
+    ++line_number_;
+    if (line_number_ == 1 && text_.starts_with("\xEF\xBB\xBF")) text_.erase(0, 3);
+    line_ = trimmed(text_);
+    if (line_.empty() || line_[0] == '#') continue;
+    split(line_, fields_);
+    return true;
+  }
+  if (stream_.bad()) fail("it cannot be read");
+  return false;
+}
+
+double CsvReader::number(std::string_view field) const {
+  const std::string_view digits = field.starts_with('+') ? field.substr(1) : field;
+  double value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value))
+    fail_in_line(quoted(field) + " is not a finite number");
+  return value;
+}
+
+void CsvReader::fail(const std::string& rule) const {
+  throw std::runtime_error(name_ + ": " + rule);
+}
+
+void CsvReader::fail_in_line(const std::string& rule) const {
+  throw std::runtime_error(name_ + ", line " + std::to_string(line_number_) + ": " + rule);
+}
+
+}  // namespace vndf::precompute

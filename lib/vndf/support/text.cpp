@@ -1,0 +1,77 @@
+// Words for people: numbers, lists, nearest names.
+#include "vndf/support/text.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+
+namespace vndf::precompute {
+namespace {
+
+/// Insertions, deletions and replacements that turn `a` into `b`.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+    }
+  }
+  return row.back();
+}
+
+/// "phong" for "blinn-phong": part of the name, and more than a stray letter.
+bool is_part(std::string_view word, std::string_view name) {
+  return word.size() >= 3 && name.find(word) != std::string_view::npos;
+}
+
+}  // namespace
+
+std::string number_text(double value) {
+  if (std::isnan(value)) return "nan";  // without the sign
+  char buffer[32];
+  const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value);
+  return {buffer, end};
+}
+
+std::string rounded_text(double value) {
+  if (std::isnan(value)) return "nan";
+  char buffer[32];
+  const auto [end, error] =
+      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 3);
+  return {buffer, end};
+}
+
+std::string quoted(std::string_view text) {
+  std::string shown = "'";
+  for (const char c : text.substr(0, 60)) shown += c >= ' ' && c <= '~' ? c : '?';
+  return shown + "'";
+}
+
+std::string listed(const std::vector<std::string>& words) {
+  std::string text;
+  for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
+  const std::string* best = nullptr;
+  std::size_t best_distance = 0;
+  for (const auto& name : known) {
+    const std::size_t distance = is_part(word, name) ? 1 : edit_distance(word, name);
+    const std::size_t allowed =
+        std::max<std::size_t>(1, (std::max(word.size(), name.size()) + 1) / 3);
+    if (distance > allowed || (best != nullptr && distance >= best_distance)) continue;
+    best = &name;
+    best_distance = distance;
+  }
+  return best == nullptr ? "" : "; did you mean '" + *best + "'?";
+}
+
+}  // namespace vndf::precompute

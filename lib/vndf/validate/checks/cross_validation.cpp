@@ -1,0 +1,99 @@
+// Stage: the subject beside an exact sampler, on the same random numbers.
+#include "vndf/validate/checks/cross_validation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "vndf/precompute/marginal_distribution.h"
+#include "vndf/support/text.h"
+#include "vndf/validate/checks/distribution_check.h"
+#include "vndf/validate/exact/exact_conditional.h"
+#include "vndf/validate/statistics/quasi_random.h"
+
+namespace vndf::validate {
+namespace {
+
+using precompute::VisibleSlopes;
+
+// Larger errors than this are not small: the derivative is then taken over this.
+constexpr double kLargestStep = 1e-3;
+
+struct Difference {
+  Worst u, angle;
+};
+
+double angle_between(const Vec3<double>& a, const Vec3<double>& b) {
+  const Vec3<double> across{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  return std::atan2(std::sqrt(dot(across, across)), dot(a, b));
+}
+
+/// Of the uniforms of two normals.
+double difference(const Uniforms& a, const Uniforms& b) {
+  // The ends of w_phi are one azimuth; what counts is the mass that is swept within the radius.
+  const double turn = std::abs(a.phi - b.phi);
+  const double swept = std::min(turn, 1 - turn) * std::max(a.r, b.r);
+  return std::max({std::abs(a.r - b.r), std::abs(a.x - b.x), swept});
+}
+
+/// What an error of 1 in u1 and one in u2 together make of the uniforms, at least 1. A radius can
+/// move by many times the error of its slope x, where less mass lies beyond that slope than beyond
+/// the radius. By differences from `here`, the uniforms at `u`, over `step` towards the middle.
+double condition_number(const Subject& subject, const Configuration& c, const ExactLaw& law,
+                        const Pair& u, const Uniforms& here, double step) {
+  const auto uniforms = [&](double u1, double u2) {
+    return law.uniforms(exact_normal(*subject.law, c, u1, u2), 0);
+  };
+  const auto moved = [&](double p) { return p < 0.5 ? p + step : p - step; };
+  const double made =
+      difference(here, uniforms(moved(u.x), u.y)) + difference(here, uniforms(u.x, moved(u.y)));
+  return std::max(1.0, made / step);
+}
+
+Difference compare(const Subject& subject, const Configuration& c, std::size_t points) {
+  const ExactLaw law(*subject.law, subject.claims.law, c);
+  const double step = std::min(subject.bounds.u_error, kLargestStep);
+  Difference worst;
+  for (std::size_t k = 0; k < points; ++k) {
+    const Pair u = even_point(k);
+    const Vec3<double> exact = exact_normal(*subject.law, c, u.x, u.y);
+    const Vec3<double> given = subject.sample_one(c, u.x, u.y);
+    if (given.z < kSmallestHeight || exact.z < kSmallestHeight) continue;
+    const Place place = place_of(c, u.x, u.y);
+    const Uniforms here = law.uniforms(exact, 0);
+    const double moved = difference(here, law.uniforms(given, 0));
+    worst.u.see(moved / condition_number(subject, c, law, u, here, step), place);
+    worst.angle.see(angle_between(exact, given), place);
+  }
+  return worst;
+}
+
+}  // namespace
+
+Vec3<double> exact_normal(const SlopeLaw& law, const Configuration& c, double u1, double u2) {
+  const StretchedFrame frame(law, c);
+  const auto& slopes = law.slopes();
+  const double a = VisibleSlopes(slopes, frame.cotangent()).quantile({u1, 1 - u1}, 0);
+  const double x = std::sinh(a);
+  const double y =
+      ConditionalLaw::judged(slopes, x) ? ConditionalLaw(slopes, x).quantile({u2, 1 - u2}) : 0;
+  return frame.normal_of({x, y, 1});
+}
+
+std::vector<Finding> cross_validate(const Subject& subject, std::size_t points,
+                                    const precompute::Workers& workers) {
+  auto list = law_configurations();
+  std::erase_if(list, [&](const Configuration& c) { return !subject.claims.map_at(c); });
+  std::vector<Difference> each(list.size());
+  precompute::parallel_for(list.size(), workers,
+                           [&](std::size_t i) { each[i] = compare(subject, list[i], points); });
+  Difference all;
+  for (const Difference& d : each) {
+    all.u.see(d.u);
+    all.angle.see(d.angle);
+  }
+  Finding f = all.u.finding("cross", "difference in u", subject.bounds.u_error);
+  f.note = "angle up to " + precompute::rounded_text(all.angle.measured) + " rad";
+  return {f};
+}
+
+}  // namespace vndf::validate

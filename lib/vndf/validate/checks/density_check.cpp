@@ -1,0 +1,150 @@
+// Stage: the density and what it is made of.
+#include "vndf/validate/checks/density_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "vndf/validate/checks/distribution_check.h"
+#include "vndf/validate/exact/normal_quadrature.h"
+#include "vndf/validate/statistics/density_distance.h"
+#include "vndf/validate/statistics/quasi_random.h"
+
+namespace vndf::validate {
+namespace {
+
+constexpr const char* kStage = "density";
+constexpr std::size_t kNormals = 2000;     // sampled normals of each configuration
+constexpr std::size_t kDerivatives = 300;  // places of the map's derivative
+
+/// Whether the density of the map can be had.
+bool tells_density(const Subject& subject) {
+  return subject.sample_double || subject.map_density;
+}
+
+struct DensityErrors {
+  Worst integral, pdf, d, lambda, g1, jacobian;
+};
+
+class DensityJudge {
+ public:
+  DensityJudge(const Subject& subject, const Configuration& c)
+      : subject_(subject), c_(c), law_(*subject.law, subject.claims.law, c) {}
+
+  DensityErrors judge() {
+    judge_integral();
+    judge_normals();
+    judge_shadowing();
+    if (subject_.claims.map_at(c_)) judge_map_density();
+    return errors_;
+  }
+
+ private:
+  void judge_integral() {
+    const auto nodes = normal_quadrature(*subject_.law, subject_.claims.law, c_);
+    std::vector<double> pdf(nodes.wm.size());
+    subject_.pdf(c_, nodes.wm, pdf);
+    double sum = 0;
+    for (std::size_t k = 0; k < pdf.size(); ++k) sum += pdf[k] * nodes.weight[k];
+    errors_.integral.see(std::abs(sum - nodes.covered), place_of(c_));
+  }
+
+  void judge_normals() {
+    std::vector<Pair> u(kNormals);
+    for (std::size_t k = 0; k < kNormals; ++k) u[k] = even_point(k);
+    std::vector<Vec3<double>> wm(kNormals);
+    std::vector<double> pdf(kNormals), d(kNormals);
+    subject_.sample(c_, u, wm);
+    subject_.pdf(c_, wm, pdf);
+    subject_.d(c_.alpha, wm, d);
+    for (std::size_t k = 0; k < kNormals; ++k) {
+      if (wm[k].z < kSmallestHeight) continue;
+      const Place place = place_of(c_, u[k].x, u[k].y);
+      const auto pdf_of = [&](const auto& m) { return law_.pdf(m); };
+      const auto facing = [&](const auto& m) { return law_.facing_pdf(m); };
+      const auto d_of = [&](const auto& m) { return subject_.law->d(m, c_.alpha); };
+      errors_.pdf.see(density_distance(pdf[k], wm[k], pdf_of, facing), place);
+      errors_.d.see(density_distance(d[k], wm[k], d_of, d_of), place);
+    }
+  }
+
+  void judge_shadowing() {
+    if (c_.wi.z == 0) return;  // Lambda is infinite
+    const double lambda = subject_.law->lambda(c_.wi, c_.alpha);
+    errors_.lambda.see(std::abs(subject_.lambda(c_) - lambda) / (1 + lambda), place_of(c_));
+    if (subject_.claims.law == NormalLaw::visible_v_cavity) return;  // its G1 is not Smith's
+    errors_.g1.see(std::abs(subject_.g1(c_) * (1 + lambda) - 1), place_of(c_));
+  }
+
+  Vec2<double> slope(double u1, double u2) const {
+    const Pair u{u1, u2};
+    Vec3<double> wm{};
+    subject_.sample_double(c_, {&u, 1}, {&wm, 1});
+    const StretchedSlope s = law_.frame().slope_of(wm);
+    return {s.x / s.w, s.y / s.w};
+  }
+
+  /// |d(slope) / d(u1, u2)| by central differences.
+  double determinant(const Pair& u) const {
+    const double h1 = 1e-4 * std::min(u.x, 1 - u.x), h2 = 1e-4 * std::min(u.y, 1 - u.y);
+    const auto [x1, y1] = slope(u.x - h1, u.y);
+    const auto [x2, y2] = slope(u.x + h1, u.y);
+    const auto [x3, y3] = slope(u.x, u.y - h2);
+    const auto [x4, y4] = slope(u.x, u.y + h2);
+    return std::abs(((x2 - x1) * (y4 - y3) - (y2 - y1) * (x4 - x3)) / (4 * h1 * h2));
+  }
+
+  /// The reciprocal of the map's density at `wm`, the normal at `u`: from the map, or as the
+  /// subject says.
+  double area(const Pair& u, const Vec3<double>& wm) const {
+    if (subject_.sample_double) return law_.frame().jacobian(wm) * determinant(u);
+    return 1 / subject_.map_density(c_, u);
+  }
+
+  void judge_map_density() {
+    if (!tells_density(subject_)) return;
+    for (std::size_t k = 0; k < kDerivatives; ++k) {
+      const Pair u = even_point(k);
+      const Vec3<double> wm = subject_.sample_one(c_, u.x, u.y);
+      double pdf = 0;
+      subject_.pdf(c_, {&wm, 1}, {&pdf, 1});
+      errors_.jacobian.see(std::abs(pdf * area(u, wm) - 1), place_of(c_, u.x, u.y));
+    }
+  }
+
+  const Subject& subject_;
+  Configuration c_;
+  ExactLaw law_;
+  DensityErrors errors_;
+};
+
+}  // namespace
+
+std::vector<Finding> test_density(const Subject& subject, const precompute::Workers& workers) {
+  const auto& list = law_configurations();
+  std::vector<DensityErrors> each(list.size());
+  precompute::parallel_for(list.size(), workers, [&](std::size_t i) {
+    each[i] = DensityJudge(subject, list[i]).judge();
+  });
+  DensityErrors all;
+  for (const DensityErrors& e : each) {
+    all.integral.see(e.integral);
+    all.pdf.see(e.pdf);
+    all.d.see(e.d);
+    all.lambda.see(e.lambda);
+    all.g1.see(e.g1);
+    all.jacobian.see(e.jacobian);
+  }
+  const Bounds& b = subject.bounds;
+  std::vector<Finding> findings{
+      all.integral.finding(kStage, "integral of pdf - 1", b.function_error),
+      all.pdf.finding(kStage, "pdf of sampled normals", b.function_error),
+      all.d.finding(kStage, "D", b.function_error),
+      all.lambda.finding(kStage, "Lambda", b.function_error)};
+  if (subject.claims.law != NormalLaw::visible_v_cavity)
+    findings.push_back(all.g1.finding(kStage, "G1", b.function_error));
+  if (subject.claims.inverse_map && tells_density(subject))
+    findings.push_back(all.jacobian.finding(kStage, "pdf times |Jacobian| - 1", b.density_error));
+  return findings;
+}
+
+}  // namespace vndf::validate

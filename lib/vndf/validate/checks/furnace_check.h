@@ -1,0 +1,28 @@
+// Stage: conservation of area and of energy (Heitz and d'Eon 2014, section 2; Heitz 2014, section
+// 2).
+//
+//   projected area       int D(wm) wm.z dwm = 1
+//   visible area         int dot(wi, wm)+ D(wm) dwm = wi.z / G1(wi)
+//   reciprocity          G2(wi, wo, wm) = G2(wo, wi, wm), above and below the horizon
+//   energy               int f(wi, wo) |wo.z| dwo <= 1, facets of a perfect mirror and of glass
+//
+// all with the subject's own D and G1. The second, divided by its right side, is the weak white
+// furnace test in the measure of half vectors: a surface without absorption and without shadowing
+// reflects what it masks not. With shadowing the rest is light that would be scattered again: less
+// than 1, never more.
+#pragma once
+
+#include <vector>
+
+#include "vndf/support/parallel.h"
+#include "vndf/validate/sampler/sampler_under_test.h"
+#include "vndf/validate/statistics/check_result.h"
+
+namespace vndf::validate {
+
+/// Largest difference of G2 with wi and wo exchanged: the rounding of single precision.
+inline constexpr double kReciprocityError = 2e-6;
+
+std::vector<Finding> test_furnace(const Subject& subject, const precompute::Workers& workers);
+
+}  // namespace vndf::validate

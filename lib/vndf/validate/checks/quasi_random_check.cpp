@@ -1,0 +1,59 @@
+// Stage: the law of normals sampled at even points.
+#include "vndf/validate/checks/quasi_random_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "vndf/validate/checks/distribution_check.h"
+#include "vndf/validate/statistics/quasi_random.h"
+
+namespace vndf::validate {
+namespace {
+
+struct Distances {
+  Worst r, phi, x;
+};
+
+Distances measure(const Subject& subject, const Configuration& c, std::size_t points) {
+  std::vector<Pair> u(points);
+  for (std::size_t k = 0; k < points; ++k) u[k] = even_point(k);
+  std::vector<Vec3<double>> wm(points);
+  subject.sample(c, u, wm);
+  const ExactLaw law(*subject.law, subject.claims.law, c);
+  LineCounts r(kBins), phi(kBins), x(kBins);
+  for (std::size_t k = 0; k < points; ++k) {
+    const double place = (static_cast<double>(k) + 0.5) / static_cast<double>(points);
+    const Uniforms w = law.uniforms(wm[k], place);
+    r.add(w.r);
+    phi.add(w.phi);
+    x.add(w.x);
+  }
+  Distances d;
+  d.r.see(r.distance(), place_of(c));
+  d.phi.see(phi.distance(), place_of(c));
+  d.x.see(x.distance(), place_of(c));
+  return d;
+}
+
+}  // namespace
+
+std::vector<Finding> measure_even_law(const Subject& subject, std::size_t points,
+                                      const precompute::Workers& workers) {
+  const auto& list = law_configurations();
+  std::vector<Distances> each(list.size());
+  precompute::parallel_for(list.size(), workers,
+                           [&](std::size_t i) { each[i] = measure(subject, list[i], points); });
+  Distances all;
+  for (const Distances& d : each) {
+    all.r.see(d.r);
+    all.phi.see(d.phi);
+    all.x.see(d.x);
+  }
+  const double bound = std::max(subject.bounds.u_error, subject.bounds.declared.u) +
+                       kEvenError * std::pow(static_cast<double>(points), -0.75);
+  return {all.r.finding("even", "radius, distance of cdfs", bound),
+          all.phi.finding("even", "azimuth, distance of cdfs", bound),
+          all.x.finding("even", "slope x, distance of cdfs", bound)};
+}
+
+}  // namespace vndf::validate

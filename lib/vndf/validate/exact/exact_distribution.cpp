@@ -1,0 +1,173 @@
+// The exact law of sampled normals.
+#include "vndf/validate/exact/exact_distribution.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace vndf::validate {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// Visible V-cavity area of the slopes of one radius with |phi| above pi - psi, over cos t. The
+/// weights of x and -x sum to twice cos t, so that all of one radius together are as visible as
+/// from above: pi at psi = pi. Finite up to the horizon, where it is the weight 2 of the half that
+/// is seen.
+double v_cavity_mass(double cosine, double sine, const StretchedSlope& s, double psi) {
+  const double vertical = cosine * s.w, horizontal = sine * s.horizontal();
+  if (horizontal == 0) return psi;
+  if (vertical >= horizontal) return psi + horizontal / vertical * std::sin(psi);
+  const double rest = std::asin(vertical / horizontal), psi1 = kPi / 2 - rest;
+  if (psi <= psi1) return 2 * psi;  // here -x > c: weight 2 cos t
+  // From psi1 + 2 rest on x > c. Between, 1 + cos(psi) / sin(rest) is integrated.
+  const double seen = std::min(psi - psi1, 2 * rest);
+  const double tilt =
+      rest > 0 ? 2 * std::sin(rest - seen / 2) * std::sin(seen / 2) / std::sin(rest) : 0;
+  return 2 * psi1 + seen + tilt;
+}
+
+/// CDF of x on V-cavities, at sinh(a): the density min((c - x)+, 2 c) P(x) / c, integrated.
+double v_cavity_marginal(const precompute::UnitSlopes& slopes, const BoundedSlope<double>& c,
+                         double a) {
+  const double edge = std::log(c.sigma / c.complement), b = std::abs(a);
+  if (a <= -edge) return 2 * slopes.q(b);
+  if (a >= edge) return 1;
+  const double below = a < 0 ? slopes.q(b) : 1 - slopes.q(b);
+  if (std::isinf(edge)) return below;
+  return slopes.q(edge) + below + (slopes.m(b) - slopes.m(edge)) / c.slope();
+}
+
+}  // namespace
+
+SlopeLaw::SlopeLaw(std::unique_ptr<const precompute::SlopeDistribution> distribution)
+    : distribution_(std::move(distribution)),
+      slopes_(*distribution_, {}),
+      all_radii_(slopes_, bounded_cotangent(1.0, 0.0)) {}
+
+double SlopeLaw::d(const Vec3<double>& wm, const Alpha<double>& alpha) const {
+  const double mu = slopes_.mean_slope();
+  if (!(wm.z > 0)) return 0;
+  const double r = std::hypot(wm.x / alpha.x, wm.y / alpha.y) / (mu * wm.z);
+  const double square = wm.z * wm.z;
+  return slopes_.p22(r) / (mu * mu * alpha.x * alpha.y * square * square);
+}
+
+double SlopeLaw::visible_area(const Vec3<double>& w, const Alpha<double>& alpha) const {
+  const double horizontal = slopes_.mean_slope() * std::hypot(alpha.x * w.x, alpha.y * w.y);
+  if (horizontal == 0) return w.z;
+  return w.z + horizontal * slopes_.backfacing(w.z / horizontal).value;
+}
+
+double SlopeLaw::lambda(const Vec3<double>& w, const Alpha<double>& alpha) const {
+  const double horizontal = slopes_.mean_slope() * std::hypot(alpha.x * w.x, alpha.y * w.y);
+  if (horizontal == 0) return 0;
+  return horizontal * slopes_.backfacing(w.z / horizontal).value / w.z;
+}
+
+double SlopeLaw::g1(const Vec3<double>& w, const Alpha<double>& alpha) const {
+  return w.z / visible_area(w, alpha);
+}
+
+StretchedFrame::StretchedFrame(const SlopeLaw& law, const Configuration& c)
+    : ax_(c.alpha.x * law.slopes().mean_slope()),
+      ay_(c.alpha.y * law.slopes().mean_slope()),
+      cos_(1),
+      sin_(0) {
+  const double x = ax_ * c.wi.x, y = ay_ * c.wi.y;
+  const double length = std::hypot(x, y);
+  if (length > 0) {
+    cos_ = x / length;
+    sin_ = y / length;
+  }
+  cotangent_ = bounded_cotangent(c.wi.z, length);
+}
+
+StretchedSlope StretchedFrame::slope_of(const Vec3<double>& wm) const {
+  const double x = -wm.x / ax_, y = -wm.y / ay_;
+  return {cos_ * x + sin_ * y, cos_ * y - sin_ * x, wm.z};
+}
+
+Vec3<double> StretchedFrame::normal_of(const StretchedSlope& s) const {
+  const double x = ax_ * (cos_ * s.x - sin_ * s.y), y = ay_ * (sin_ * s.x + cos_ * s.y);
+  const double length = std::hypot(x, y, s.w);
+  return {-x / length, -y / length, s.w / length};
+}
+
+double StretchedFrame::jacobian(const Vec3<double>& wm) const {
+  return ax_ * ay_ * wm.z * wm.z * wm.z;
+}
+
+ExactLaw::ExactLaw(const SlopeLaw& law, NormalLaw kind, const Configuration& configuration, Use use)
+    : law_(law),
+      kind_(kind),
+      configuration_(configuration),
+      frame_(law, configuration),
+      cosine_(frame_.cotangent().numerator() / frame_.cotangent().hypotenuse()),
+      sine_(frame_.cotangent().denominator() / frame_.cotangent().hypotenuse()),
+      area_(kind == NormalLaw::visible_smith
+                ? law.visible_area(configuration.wi, configuration.alpha)
+                : configuration.wi.z),
+      own_radii_(kind == NormalLaw::visible_smith && use == Use::many
+                     ? std::make_unique<RadialLaw>(law.slopes(), frame_.cotangent())
+                     : nullptr),
+      visible_(law.slopes(), kind == NormalLaw::visible_smith ? frame_.cotangent()
+                                                              : bounded_cotangent(1.0, 0.0)) {}
+
+Probability<double> ExactLaw::radius_cdf(const StretchedSlope& s) const {
+  const double a = std::asinh(s.horizontal() / s.w);
+  if (own_radii_) return own_radii_->cdf(a);
+  if (kind_ != NormalLaw::visible_smith) return law_.all_radii().cdf(a);
+  return radial_cdf(law_.slopes(), law_.all_radii(), frame_.cotangent(), a);
+}
+
+double ExactLaw::azimuth_cdf(const StretchedSlope& s) const {
+  const double psi = std::atan2(std::abs(s.y), -s.x);
+  const double h = s.horizontal();
+  double share = psi / kPi;
+  if (kind_ == NormalLaw::visible_v_cavity) {
+    share = v_cavity_mass(cosine_, sine_, s, psi) / kPi;
+  } else if (kind_ == NormalLaw::visible_smith) {
+    const AngularMass mass = angular_mass(cosine_, sine_, h, s.w);
+    const double inside = std::min(psi, kPi - mass.phi0);
+    if (mass.half > 0) share = (cosine_ * s.w * inside + sine_ * h * std::sin(inside)) / mass.half;
+  }
+  share = std::clamp(share, 0.0, 1.0);
+  return s.y > 0 ? share / 2 : 1 - share / 2;
+}
+
+double ExactLaw::marginal_cdf(const StretchedSlope& s) const {
+  const double a = s.x == 0 ? 0 : std::asinh(s.x / s.w);
+  if (kind_ == NormalLaw::visible_v_cavity)
+    return v_cavity_marginal(law_.slopes(), frame_.cotangent(), a);
+  return visible_.cdf(std::min(a, visible_.farthest())).u;
+}
+
+Uniforms ExactLaw::uniforms(const Vec3<double>& wm, double v) const {
+  const StretchedSlope s = frame_.slope_of(wm);
+  if (wm.z >= kSmallestHeight) return {radius_cdf(s).u, azimuth_cdf(s), marginal_cdf(s)};
+  // The tails of r and, on the side that is seen, of x are powers of the same radius.
+  const StretchedSlope edge{s.x, s.y, kSmallestHeight};
+  const double tail = radius_cdf(edge).complement;
+  const double u = marginal_cdf(edge);
+  return {1 - tail * v, azimuth_cdf(edge), s.x < 0 ? u * v : 1 - (1 - u) * v};
+}
+
+double ExactLaw::pdf_if_seen(const Vec3<double>& wm, double cosine) const {
+  const double d = law_.d(wm, configuration_.alpha), z = configuration_.wi.z;
+  if (kind_ == NormalLaw::all) return d * wm.z;
+  if (!(cosine > 0)) return 0;
+  if (kind_ == NormalLaw::visible_smith) return d * cosine / area_;
+  // At the horizon every facet that is seen is masked by its twin.
+  return d * (z > 0 ? std::min(cosine / z, 2 * wm.z) : 2 * wm.z);
+}
+
+double ExactLaw::facing_pdf(const Vec3<double>& wm) const {
+  return pdf_if_seen(wm, 1);
+}
+
+double ExactLaw::pdf(const Vec3<double>& wm) const {
+  return pdf_if_seen(wm, dot(configuration_.wi, wm));
+}
+
+}  // namespace vndf::validate

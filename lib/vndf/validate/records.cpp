@@ -1,0 +1,100 @@
+// Samples of somebody's sampler as text.
+#include "vndf/validate/records.h"
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string_view>
+
+#include "vndf/support/csv_reader.h"
+#include "vndf/support/text.h"
+
+namespace vndf::validate {
+namespace {
+
+using precompute::CsvReader;
+
+/// Names of the columns in the order of the header.
+struct Header {
+  bool u, pdf;
+
+  std::vector<std::string_view> columns() const {
+    std::vector<std::string_view> names{"wx", "wy", "wz", "ax", "ay"};
+    if (u) names.insert(names.end(), {"u1", "u2"});
+    names.insert(names.end(), {"mx", "my", "mz"});
+    if (pdf) names.push_back("pdf");
+    return names;
+  }
+};
+
+Header read_header(CsvReader& csv) {
+  const std::string accepted =
+      "the first line must be 'wx,wy,wz,ax,ay,u1,u2,mx,my,mz', where u1,u2 may be missing and pdf "
+      "may follow";
+  if (!csv.next_line()) csv.fail("it is empty; " + accepted);
+  for (const bool u : {true, false})
+    for (const bool pdf : {false, true})
+      if (csv.fields() == Header{u, pdf}.columns()) return {u, pdf};
+  csv.fail_in_line("the header " + precompute::quoted(csv.line()) + " is not known; " + accepted);
+}
+
+/// A unit vector to kLengthSlack.
+bool has_length_one(const Vec3<double>& v) {
+  return std::abs(std::hypot(v.x, v.y, v.z) - 1) <= kLengthSlack;
+}
+
+bool is_probability(double u) {
+  return u >= 0 && u <= 1;
+}
+
+Record read_record(const CsvReader& csv, const Header& header) {
+  const auto& fields = csv.fields();
+  const std::size_t columns = header.columns().size();
+  if (fields.size() != columns)
+    csv.fail_in_line("it has " + std::to_string(fields.size()) + " fields; the header has " +
+                     std::to_string(columns));
+  std::size_t next = 0;
+  const auto number = [&] { return csv.number(fields[next++]); };
+  const auto vector = [&] {
+    const double x = number(), y = number();
+    return Vec3<double>{x, y, number()};
+  };
+  Record r;
+  r.configuration.wi = vector();
+  r.configuration.alpha.x = number();
+  r.configuration.alpha.y = number();
+  if (header.u) {
+    r.u1 = number();
+    r.u2 = number();
+  }
+  r.wm = vector();
+  if (header.pdf) r.pdf = number();
+
+  const auto require = [&](bool holds, const char* rule) {
+    if (!holds) csv.fail_in_line(rule);
+  };
+  require(has_length_one(r.configuration.wi), "wx,wy,wz must have length 1");
+  require(r.configuration.wi.z >= 0, "wz must not be negative");
+  require(r.configuration.alpha.x > 0 && r.configuration.alpha.y > 0, "ax and ay must be > 0");
+  require(!header.u || (is_probability(r.u1) && is_probability(r.u2)),
+          "u1 and u2 must be in [0, 1]");
+  require(has_length_one(r.wm), "mx,my,mz must have length 1");
+  return r;
+}
+
+}  // namespace
+
+Records read_records(std::istream& stream, const std::string& name) {
+  CsvReader csv(stream, name);
+  const Header header = read_header(csv);
+  Records records{{}, header.u, header.pdf};
+  while (csv.next_line()) records.list.push_back(read_record(csv, header));
+  return records;
+}
+
+Records read_records(const std::filesystem::path& path) {
+  std::ifstream stream = precompute::open_csv(path);
+  return read_records(stream, path.string());
+}
+
+}  // namespace vndf::validate

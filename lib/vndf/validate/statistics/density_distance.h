@@ -1,0 +1,30 @@
+// Comparison of densities at a normal that has been rounded.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "vndf/validate/exact/configuration.h"
+
+namespace vndf::validate {
+
+/// Densities are compared up to what they change by when the slope of the normal changes by this:
+/// some roundings of a single-precision normal.
+inline constexpr double kSlopeRounding = 5e-7;
+
+/// Distance of `given` from the values that `exact` takes at the slopes of `wm` times
+/// 1 -+ kSlopeRounding, relative to the largest that `scale` takes there: 0 where that is infinite.
+template <class Exact, class Scale>
+double density_distance(double given, const Vec3<double>& wm, Exact exact, Scale scale) {
+  const auto range = [&](auto f) {
+    const auto at = [&](double s) { return f(Vec3<double>{wm.x * s, wm.y * s, wm.z}); };
+    return std::minmax({at(1), at(1 - kSlopeRounding), at(1 + kSlopeRounding)});
+  };
+  const auto [low, high] = range(exact);
+  const double largest = range(scale).second;
+  if (std::isnan(given)) return kUnknown;
+  if (std::isinf(largest) || (given >= low && given <= high)) return 0;
+  return std::max(low - given, given - high) / largest;
+}
+
+}  // namespace vndf::validate

@@ -1,0 +1,10 @@
+# The README shows the example programs as they are compiled here, word for word.
+get_filename_component(top ${CMAKE_CURRENT_LIST_DIR}/../.. ABSOLUTE)
+file(READ ${top}/README.md readme)
+foreach(example render metal own_distribution)
+  file(READ ${CMAKE_CURRENT_LIST_DIR}/${example}.cpp source)
+  string(FIND "${readme}" "${source}" place)
+  if(place EQUAL -1)
+    message(FATAL_ERROR "README.md does not show tests/examples/${example}.cpp as it is")
+  endif()
+endforeach()

@@ -1,0 +1,315 @@
+// Damaged table files, and whole ones with wrong content. Whatever happens to the bytes of a file,
+// loading it either throws TableFileError or returns exactly what was saved.
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <limits>
+#include <random>
+
+#include "support/catch.h"
+#include "vndf/io/checksum_trailer.h"
+#include "vndf/io/crc64.h"
+#include "vndf/io/exr_table_file.h"
+#include "vndf/io/format_error.h"
+#include "vndf/io/hdf5_table_file.h"
+#include "vndf/io/stored_tables.h"
+
+namespace {
+
+using namespace vndf;
+using namespace vndf::io;
+namespace fs = std::filesystem;
+
+constexpr std::size_t kRows = 16, kColumns = 24, kNodes = 12;
+constexpr int kCorruptions = 10000;  // in each format
+
+std::vector<float> rows() {
+  std::vector<float> values;
+  for (std::size_t i = 0; i < kRows; ++i)
+    for (std::size_t j = 0; j < kColumns; ++j)
+      values.push_back(std::pow(static_cast<float>(j) / (kColumns - 1), 1 + 0.1f * float(i)));
+  return values;
+}
+
+LogCurve<double> curve() {
+  LogCurveSegment<double> segment{0, 4, Grading::low, {}};
+  for (std::size_t i = 0; i < kNodes; ++i)
+    segment.nodes.push_back({-std::sqrt(static_cast<double>(i)), -0.1 * static_cast<double>(i)});
+  return {{segment}, true};
+}
+
+TableFile good_file() {
+  const std::vector<RowKnot> knots{{0, 0}, {0.5, 0.25}, {1, 1}};
+  return {share({.distribution = "test",
+                 .mean_slope = 1.5,
+                 .marginal = {kRows, kColumns, rows()},
+                 .conditional = {kRows, kColumns, rows()},
+                 .marginal_rows = knots,
+                 .conditional_rows = {},
+                 .marginal_map = {{0, 0.5}, {0.25, 0.5}, {1, 0.75}},
+                 .log_ndf = curve(),
+                 .log_backfacing = curve()}),
+          {"recipe", "program"},
+          {}};
+}
+
+struct FormatCase {
+  std::string name;
+  std::function<std::string(const StoredTables&)> write;
+  std::function<StoredTables(std::string_view)> read;
+};
+
+const std::vector<FormatCase> kFormats{{"HDF5", write_hdf5, read_hdf5},
+                                       {"EXR", write_exr, read_exr}};
+
+/// A file that is rewritten for every corruption, in a folder of its own.
+struct ScratchFile {
+  fs::path folder = fs::temp_directory_path() / ("vndf-" + std::to_string(std::random_device{}()));
+  fs::path path = folder / "table";
+  ScratchFile() { fs::create_directory(folder); }
+  ~ScratchFile() { fs::remove_all(folder); }
+  /// Makes a new file each time: rewriting one in place waits for the disk on some file systems.
+  void put(const std::string& bytes) const {
+    fs::remove(path);
+    std::ofstream(path, std::ios::binary) << bytes;
+  }
+};
+
+/// What load says about the file: "same", "different" or the refusal.
+std::string outcome(const fs::path& path, const StoredTables& written) {
+  try {
+    return to_stored(load(path)) == written ? "same" : "different";
+  } catch (const TableFileError& error) {
+    return error.what();
+  }
+}
+
+// Random corruptions.
+
+using Random = std::mt19937_64;
+
+std::size_t below(std::size_t n, Random& random) {
+  return std::uniform_int_distribution<std::size_t>(0, n - 1)(random);
+}
+
+char any_byte(Random& random) {
+  return static_cast<char>(below(256, random));
+}
+
+void flip_bits(std::string& bytes, Random& random) {
+  for (std::size_t n = 1 + below(8, random); n > 0; --n)
+    bytes[below(bytes.size(), random)] ^= static_cast<char>(1 << below(8, random));
+}
+
+void overwrite_bytes(std::string& bytes, Random& random) {
+  for (std::size_t n = 1 + below(8, random); n > 0; --n)
+    bytes[below(bytes.size(), random)] = any_byte(random);
+}
+
+void truncate(std::string& bytes, Random& random) {
+  bytes.resize(below(bytes.size(), random));
+}
+
+void insert_bytes(std::string& bytes, Random& random) {
+  bytes.insert(below(bytes.size() + 1, random), 1 + below(8, random), any_byte(random));
+}
+
+void delete_bytes(std::string& bytes, Random& random) {
+  bytes.erase(below(bytes.size(), random), 1 + below(8, random));
+}
+
+void corrupt(std::string& bytes, Random& random) {
+  constexpr auto kWays =
+      std::to_array({flip_bits, overwrite_bytes, truncate, insert_bytes, delete_bytes});
+  kWays[below(kWays.size(), random)](bytes, random);
+}
+
+/// The seed of the corruptions, from the environment for long runs with others.
+std::uint64_t seed() {
+  const char* given = std::getenv("VNDF_TEST_SEED");
+  return given != nullptr ? std::strtoull(given, nullptr, 10) : 20140624;
+}
+
+// Wrong content.
+
+/// Checks that each format brings changed content to the judge, who refuses it in these words.
+void check_refused(const std::function<void(StoredTables&)>& change,
+                   const std::vector<std::string>& parts, std::size_t formats = kFormats.size()) {
+  StoredTables stored = to_stored(good_file());
+  change(stored);
+  for (std::size_t f = 0; f < formats; ++f) {
+    std::string message = "no refusal";
+    try {
+      from_stored(kFormats[f].read(kFormats[f].write(stored)));
+    } catch (const Refusal& refusal) {
+      message = refusal.what();
+    }
+    INFO(kFormats[f].name << ": " << message);
+    for (const std::string& part : parts) CHECK(message.find(part) != std::string::npos);
+  }
+}
+
+constexpr std::size_t kOnlyHdf5 = 1;
+
+std::function<void(StoredTables&)> replace(const std::string& name, const Array& array) {
+  return [=](StoredTables& stored) { stored.arrays[name] = array; };
+}
+
+/// Puts wrong values into the marginal table as a program would that takes them for right.
+std::function<void(StoredTables&)> marginal_with(std::size_t index, float value) {
+  return [=](StoredTables& stored) {
+    std::vector<float> values = rows();
+    values[index] = value;
+    SlopeTables tables = *good_file().tables;
+    tables.marginal = {kRows, kColumns, values};
+    stored.arrays["marginal"].values = values;
+    stored.attributes["content_checksum"] = hex_digits(content_checksum(tables));
+  };
+}
+
+}  // namespace
+
+TEST_CASE("a corrupted file is refused or returns exactly what was saved") {
+  const ScratchFile file;
+  const StoredTables written = to_stored(good_file());
+  Random random(seed());
+  for (const FormatCase& format : kFormats) {
+    const std::string good = sealed(format.write(written));
+    int same = 0;
+    for (int i = 0; i < kCorruptions; ++i) {
+      std::string bytes = good;
+      corrupt(bytes, random);
+      file.put(bytes);
+      const std::string result = outcome(file.path, written);
+      INFO(format.name << ", corruption " << i << " of seed " << seed());
+      if (result == "same") ++same;
+      if (result == "different" || (result == "same" && bytes != good)) FAIL(result);
+    }
+    // A byte overwritten by itself is no corruption; it must not be most of them.
+    CHECK(same < kCorruptions / 100);
+  }
+}
+
+TEST_CASE("a file cut short anywhere is refused") {
+  const ScratchFile file;
+  const StoredTables written = to_stored(good_file());
+  for (const FormatCase& format : kFormats) {
+    const std::string good = sealed(format.write(written));
+    for (std::size_t length = 0; length < good.size(); ++length) {
+      file.put(good.substr(0, length));
+      REQUIRE_THROWS_AS(load(file.path), TableFileError);
+    }
+    CHECK(outcome(file.path, written).find("cut short") != std::string::npos);
+  }
+}
+
+TEST_CASE("a file with a byte changed, added or lost is refused") {
+  const ScratchFile file;
+  const StoredTables written = to_stored(good_file());
+  const auto check = [&](const std::string& bytes, const std::string& part) {
+    file.put(bytes);
+    const std::string message = outcome(file.path, written);
+    INFO(message);
+    CHECK(message.find(part) != std::string::npos);
+  };
+  for (const FormatCase& format : kFormats) {
+    const std::string good = sealed(format.write(written));
+    std::string changed = good;
+    changed[good.size() / 2] ^= 1;
+    check(good, "same");
+    check(changed, "damaged");
+    check(good + "\n", "changed");
+    check(std::string(good).erase(good.size() / 2, 1), "damaged");
+  }
+}
+
+TEST_CASE("the content checksum depends on all that sampling depends on, and on nothing else") {
+  const auto differs = [](const std::function<void(SlopeTables&)>& change) {
+    SlopeTables tables = *good_file().tables;
+    change(tables);
+    return content_checksum(tables) != content_checksum(*good_file().tables);
+  };
+  CHECK(differs([](SlopeTables& t) { t.mean_slope = 0.5; }));
+  CHECK(differs([](SlopeTables& t) { t.marginal = {kColumns, kRows, rows()}; }));
+  CHECK(differs([](SlopeTables& t) { t.conditional = {kRows / 2, kColumns * 2, rows()}; }));
+  CHECK(differs([](SlopeTables& t) { t.support = 9; }));
+  CHECK(differs([](SlopeTables& t) { t.conditional_constant = 4; }));
+  CHECK(differs([](SlopeTables& t) { t.conditional_quadratic = 0; }));
+  CHECK(differs([](SlopeTables& t) { t.marginal_map[1].tangent = 0.25; }));
+  CHECK(differs([](SlopeTables& t) { t.marginal_rows = {}; }));
+  CHECK(differs([](SlopeTables& t) { t.conditional_rows = {{0, 0}, {0.5, 1}}; }));
+  CHECK(differs([](SlopeTables& t) {
+    auto segments = t.log_ndf.segments();
+    segments[0].grading = Grading::none;
+    t.log_ndf = {segments, true};
+  }));
+  CHECK(differs([](SlopeTables& t) {
+    t.log_backfacing = {{{0, 0.5, Grading::none, {{0, 0}, {-1, 0}}}}, true};
+  }));
+  CHECK_FALSE(differs([](SlopeTables& t) { t.distribution = "another name"; }));
+}
+
+TEST_CASE("tables that do not match their checksum are refused") {
+  const auto damaged = [](const auto& change) { check_refused(change, {"damaged", "checksum"}); };
+  damaged([](StoredTables& s) { s.attributes["mean_slope"] = 1.25; });
+  damaged([](StoredTables& s) { s.attributes["support"] = 3.0; });
+  damaged([](StoredTables& s) { s.attributes["content_checksum"] = "0"; });
+  damaged(replace("log_ndf", {{kNodes, 2}, std::vector<double>(2 * kNodes)}));
+  damaged(replace("marginal_rows", {{2, 2}, std::vector<double>{0, 0, 1, 1}}));
+  damaged(replace("log_ndf_segments", {{1, 4}, std::vector<double>{0, 5, 1, double{kNodes}}}));
+  damaged(replace("marginal", {{kColumns, kRows}, rows()}));
+}
+
+TEST_CASE("values that break a rule are refused even where the checksum is right") {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  check_refused(marginal_with(kColumns + 3, kNan),
+                {"marginal table, row 1", "not a finite number"});
+  check_refused(marginal_with(kColumns + 3, 0), {"row 1", "below the column before it"});
+  check_refused(marginal_with(kColumns - 1, 2), {"row 0", "outside [0, 1]"});
+}
+
+TEST_CASE("any attribute missing or of another type is refused") {
+  for (const auto& item : to_stored(good_file()).attributes) {
+    const std::string& name = item.first;
+    const bool is_text = std::holds_alternative<std::string>(item.second);
+    const Attribute other = is_text ? Attribute(1.0) : Attribute("text");
+    check_refused([&](StoredTables& s) { s.attributes.erase(name); }, {"'" + name + "' is"});
+    check_refused([&](StoredTables& s) { s.attributes[name] = other; }, {"'" + name + "' is not"});
+  }
+}
+
+TEST_CASE("any array missing, of another type or of another shape is refused") {
+  for (const std::string name :
+       {"marginal", "conditional", "log_ndf", "log_backfacing", "marginal_rows", "marginal_map"}) {
+    const std::string shape = "'" + name + "' has the shape ";
+    check_refused([&](StoredTables& s) { s.arrays.erase(name); }, {"'" + name + "' is missing"});
+    check_refused(replace(name, {{9, 1}, std::vector<double>(9)}), {shape + "9 x 1"});
+    check_refused(replace(name, {{1, 3}, std::vector<float>(3)}), {shape + "1 x 3"});
+    check_refused(replace(name, {{35}, std::vector<float>(35)}), {shape + "35,"}, kOnlyHdf5);
+  }
+  // Tables may be of either type, and of no third.
+  for (const std::string name : {"log_ndf", "log_backfacing", "marginal_rows", "marginal_map"})
+    check_refused(replace(name, {{9, 2}, std::vector<float>(18)}),
+                  {"'" + name + "' are not float64"});
+  check_refused(replace("log_ndf", {{6, 3}, std::vector<double>(18)}), {"6 x 3", "rows x 2"});
+}
+
+TEST_CASE("an array over the limits of the format is refused unread") {
+  constexpr std::size_t kTall = kMaxTableSide + 1, kLong = kMaxCurveNodes + 1;
+  check_refused(replace("marginal", {{kTall, 3}, std::vector<float>(kTall * 3)}),
+                {"'marginal' has the shape 8193 x 3", "at most 8192 x 8192"});
+  check_refused(replace("log_ndf", {{kLong, 2}, std::vector<double>(kLong * 2)}),
+                {"'log_ndf' has the shape 1048577 x 2"}, kOnlyHdf5);
+}
+
+TEST_CASE("segments that do not count the nodes of their curve are refused") {
+  const auto with_count = [](double count) {
+    return replace("log_ndf_segments", {{1, 4}, std::vector<double>{0, 4, 1, count}});
+  };
+  check_refused(with_count(kNodes + 1.0), {"counts more nodes"});
+  check_refused(with_count(kNodes - 1.0), {"counts fewer nodes"});
+  check_refused(with_count(-1), {"counts more nodes"});
+  check_refused(with_count(std::numeric_limits<double>::quiet_NaN()), {"counts more nodes"});
+}

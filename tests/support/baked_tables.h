@@ -1,0 +1,56 @@
+// Baked tables, made once and shared by the tests, and blocks that were tampered with.
+#pragma once
+
+#include <cstring>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "support/built_tables.h"
+#include "vndf/bake/bake.h"
+
+namespace vndf::test {
+
+/// A sum of two laws, whose slope y given slope x is not the same for all x.
+inline constexpr const char* kMixture = "mixture:0.75*ggx+0.25*beckmann@0.3";
+
+/// Of the tolerance with which the tables of the tests are baked.
+inline constexpr double kBakedWithin = 1e-4;
+
+/// Baked from small_tables().
+inline const KernelTables& baked_tables(const std::string& distribution) {
+  static std::map<std::string, KernelTables> cache;
+  const auto found = cache.find(distribution);
+  if (found != cache.end()) return found->second;
+  const SlopeTables& pair = *small_tables(distribution).tables;
+  return cache.emplace(distribution, bake(pair, {.tolerance = kBakedWithin})).first->second;
+}
+
+/// A block that begins where baked tables may.
+class Block {
+ public:
+  explicit Block(std::span<const std::byte> bytes)
+      : lines_(bytes.size() / kKernelAlignment + 1), size_(bytes.size()) {
+    if (size_ > 0) std::memcpy(data(), bytes.data(), size_);
+  }
+
+  std::byte* data() { return reinterpret_cast<std::byte*>(lines_.data()); }
+  std::size_t size() const { return size_; }
+  std::span<std::byte> bytes() { return {data(), size_}; }
+  std::span<std::byte> first(std::size_t length) { return {data(), length}; }
+
+  KernelHeader& header() { return *reinterpret_cast<KernelHeader*>(data()); }
+  /// After all other changes.
+  void seal() { header().checksum = kernel_checksum(bytes()); }
+
+ private:
+  struct alignas(kKernelAlignment) Line {
+    std::byte bytes[kKernelAlignment];
+  };
+
+  std::vector<Line> lines_;
+  std::size_t size_;
+};
+
+}  // namespace vndf::test

@@ -1,0 +1,85 @@
+// The program as a person or a script meets it, run in a folder of its own.
+#pragma once
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "support/catch.h"
+
+namespace vndf::test {
+
+struct Result {
+  int status;
+  std::string out, error;
+};
+
+inline std::string content(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// An empty folder that is gone after the test, and the program run inside it.
+class Folder {
+ public:
+  Folder()
+      : path_(std::filesystem::temp_directory_path() / ("vndf-test-" + std::to_string(getpid()))) {
+    std::filesystem::remove_all(path_);
+    std::filesystem::create_directories(path_);
+  }
+  ~Folder() { std::filesystem::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+  /// Where nothing can be printed.
+  Result run_on_full_disk(const std::string& arguments) const {
+    return run_to("/dev/full", arguments, "");
+  }
+
+  Result run(const std::string& arguments, const std::string& input = "") const {
+    return run_to("", arguments, input);
+  }
+
+  /// Names of the files inside.
+  std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(path_))
+      names.push_back(entry.path().filename());
+    return names;
+  }
+
+ private:
+  /// Standard output goes to `place`, or to the result where that is empty.
+  Result run_to(const std::string& place, const std::string& arguments,
+                const std::string& input) const {
+    const std::filesystem::path streams = path_.string() + "-streams";
+    std::filesystem::create_directories(streams);
+    std::ofstream(streams / "in") << input;
+    const std::string command = "cd " + path_.string() + " && " VNDF_PROGRAM " " + arguments +
+                                " <" + (streams / "in").string() + " >" +
+                                (place.empty() ? (streams / "out").string() : place) + " 2>" +
+                                (streams / "error").string();
+    const int status = std::system(command.c_str());
+    const Result result{WEXITSTATUS(status), content(streams / "out"), content(streams / "error")};
+    std::filesystem::remove_all(streams);
+    return result;
+  }
+
+  std::filesystem::path path_;
+};
+
+/// A folder with a small table file, "ggx.h5".
+class FolderWithTables : public Folder {
+ public:
+  FolderWithTables() { REQUIRE(run("build ggx -o ggx.h5 --size 32x48 --quiet").status == 0); }
+};
+
+}  // namespace vndf::test

@@ -1,0 +1,169 @@
+// Records of somebody's sampler: read strictly, accepted where they are right, rejected at the
+// place where they are wrong.
+#include "vndf/validate/records.h"
+
+#include <cmath>
+#include <random>
+#include <sstream>
+
+#include "support/catch.h"
+#include "support/samplers_under_test.h"
+#include "vndf/validate/validate_records.h"
+
+using namespace vndf;
+using namespace vndf::validate;
+using namespace vndf::test;
+
+namespace {
+
+Records read(const std::string& text) {
+  std::istringstream stream(text);
+  return read_records(stream, "records.csv");
+}
+
+const std::string kHeader = "wx,wy,wz,ax,ay,u1,u2,mx,my,mz\n";
+
+void check_refused(const std::string& text, const std::string& message) {
+  CHECK_THROWS_WITH(read(text), contains("records.csv") && contains(message));
+}
+
+/// Random directions and roughness, or one configuration.
+struct Draw {
+  std::size_t count = 50000;
+  bool one_configuration = false;
+};
+
+template <class Sampler>
+Records draw(const Sampler& sampler, const Draw& options) {
+  std::mt19937_64 random(21);
+  std::uniform_real_distribution<float> uniform;
+  Records records{{}, true, true};
+  for (std::size_t k = 0; k < options.count; ++k) {
+    const Configuration c = options.one_configuration
+                                ? at_angles(70, 20, 0.5, 0.2)
+                                : at_angles(90 * uniform(random), 360 * uniform(random),
+                                            0.1 + uniform(random), 0.1 + uniform(random));
+    const float u1 = uniform(random), u2 = uniform(random);
+    const auto wi = vector_of<float>(c.wi);
+    const auto alpha = alpha_of<float>(c.alpha);
+    const Vec3<float> wm = sampler.sample(wi, alpha, u1, u2);
+    records.list.push_back({c, vector_of<double>(wm), u1, u2, sampler.pdf(wi, wm, alpha)});
+  }
+  return records;
+}
+
+std::string first_failure(const Verdict& verdict) {
+  return verdict.first_failure() == nullptr ? "" : verdict.first_failure()->statistic;
+}
+
+bool has(const Verdict& verdict, const std::string& stage) {
+  return std::any_of(verdict.findings.begin(), verdict.findings.end(),
+                     [&](const Finding& f) { return f.stage == stage; });
+}
+
+}  // namespace
+
+TEST_CASE("records are read with and without random numbers and density") {
+  const Records all = read("wx,wy,wz,ax,ay,u1,u2,mx,my,mz,pdf\n0,0,1,0.5,0.25,0.1,0.2,0,0,1,3\n");
+  REQUIRE(all.list.size() == 1);
+  CHECK(all.has_u);
+  CHECK(all.has_pdf);
+  CHECK(all.list[0].configuration.alpha.y == 0.25);
+  CHECK(all.list[0].u2 == 0.2);
+  CHECK(all.list[0].pdf == 3);
+  const Records few = read("wx,wy,wz,ax,ay,mx,my,mz\n# comment\n\n0,0.6,0.8,1,1,0,-0.6,0.8\n");
+  CHECK_FALSE(few.has_u);
+  CHECK(few.list[0].wm.y == -0.6);
+}
+
+TEST_CASE("unusable records are refused with line and rule") {
+  check_refused("", "it is empty");
+  check_refused("wx,wy\n", "line 1: the header 'wx,wy' is not known");
+  check_refused(kHeader + "0,0,1,1,1,0.5,0.5,0,0\n", "line 2: it has 9 fields");
+  check_refused(kHeader + "0,0,1,1,1,0.5,0.5,0,0,nan\n", "line 2: 'nan' is not a finite number");
+  check_refused(kHeader + "0,0,1,1,1,0.5,0.5,0,0,x\n", "'x' is not a finite number");
+  check_refused(kHeader + "0,0,2,1,1,0.5,0.5,0,0,1\n", "wx,wy,wz must have length 1");
+  check_refused(kHeader + "0,0,-1,1,1,0.5,0.5,0,0,1\n", "wz must not be negative");
+  check_refused(kHeader + "0,0,1,0,1,0.5,0.5,0,0,1\n", "ax and ay must be > 0");
+  check_refused(kHeader + "0,0,1,1,1,0.5,1.5,0,0,1\n", "u1 and u2 must be in [0, 1]");
+  check_refused(kHeader + "0,0,1,1,1,0.5,0.5,0,0,0.9\n", "mx,my,mz must have length 1");
+}
+
+TEST_CASE("records of an exact sampler that is no monotone map are accepted, its map not judged") {
+  for (const bool one : {false, true}) {
+    const Verdict v =
+        judge_records(draw(CapsGgx<float>{}, {.one_configuration = one}), *law_of("ggx"), {});
+    CHECK(first_failure(v) == "");
+    CHECK_FALSE(has(v, "map"));
+  }
+}
+
+TEST_CASE("a monotone map is detected and judged to 1e-5") {
+  const Records records = draw(InverseBeckmann<float>{}, {.count = 5000});
+  const auto law = law_of("beckmann");
+  const Verdict good = judge_records(records, *law, {});
+  CHECK(first_failure(good) == "");
+  CHECK(has(good, "map"));
+  Records moved = records;
+  for (Record& r : moved.list) r.u1 = std::min(1.0, r.u1 + 2e-5);
+  CHECK(first_failure(judge_records(moved, *law, {})) == "u-error of slope x");
+  CHECK_FALSE(has(judge_records(records, *law, {.inverse_map = false}), "map"));
+}
+
+TEST_CASE("records against another law are rejected, with theta and alpha") {
+  Records records = draw(CapsGgx<float>{}, {.one_configuration = true});
+  records.has_pdf = false;
+  const Verdict v = judge_records(records, *law_of("beckmann"), {});
+  REQUIRE(v.first_failure() != nullptr);
+  CHECK(v.first_failure()->where.theta == Approx(70).epsilon(1e-6));
+  CHECK(v.first_failure()->where.alpha_y == Approx(0.2).epsilon(1e-6));
+}
+
+TEST_CASE("an error at grazing incidence alone is found in its band") {
+  Records records = draw(CapsGgx<float>{}, {.count = 100000});
+  records.has_pdf = false;
+  const CapsGgx<float, BrokenTurn> broken;
+  for (Record& r : records.list)
+    if (r.configuration.theta() > 85)
+      r.wm = vector_of<double>(broken.sample(vector_of<float>(r.configuration.wi),
+                                             alpha_of<float>(r.configuration.alpha),
+                                             static_cast<float>(r.u1), static_cast<float>(r.u2)));
+  const Verdict v = judge_records(records, *law_of("ggx"), {});
+  REQUIRE(v.first_failure() != nullptr);
+  CHECK(v.first_failure()->where.theta > 85);
+}
+
+TEST_CASE("a wrong density, a normal below the horizon and one that faces away are rejected") {
+  const auto law = law_of("ggx");
+  const Records good = draw(CapsGgx<float>{}, {.count = 2000});
+  Records records = good;
+  records.list[17].pdf *= 1.01;
+  CHECK(first_failure(judge_records(records, *law, {})) == "pdf");
+  records = good;
+  records.list[17].wm.z = -records.list[17].wm.z;
+  CHECK(first_failure(judge_records(records, *law, {})) == "below the horizon");
+  records = good;
+  records.list[17].wm = {-1, 0, 0};
+  records.list[17].configuration.wi = {0.8, 0, 0.6};
+  CHECK(first_failure(judge_records(records, *law, {})) == "facing away / (1 + alpha mu)");
+}
+
+TEST_CASE("samples of all normals are records of their own law and not of the visible one") {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> uniform;
+  Records records;
+  for (int k = 0; k < 20000; ++k) {
+    const double u = uniform(random), r = std::sqrt(u / (1 - u));
+    const double phi = 2 * std::numbers::pi * uniform(random), length = std::hypot(1, r);
+    const Vec3<double> wm{r * std::cos(phi) / length, r * std::sin(phi) / length, 1 / length};
+    records.list.push_back({at_angles(40, 0, 1, 1), wm});
+  }
+  const auto law = law_of("ggx");
+  CHECK(first_failure(judge_records(records, *law, {.law = NormalLaw::all})) == "");
+  CHECK(first_failure(judge_records(records, *law, {})) != "");
+}
+
+TEST_CASE("too few records are refused") {
+  CHECK_THROWS_WITH(judge_records(draw(CapsGgx<float>{}, {.count = 99}), *law_of("ggx"), {}),
+                    contains("there are 99 records; give 100 or more"));
+}

@@ -1,0 +1,217 @@
+// The block of a kernel: what is damaged, cut, foreign or not good enough is refused in words, and
+// what is accepted is never read outside its bytes.
+#include "vndf/kernel_tables.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+
+#include "support/baked_tables.h"
+#include "support/catch.h"
+#include "support/directions.h"
+
+using namespace vndf;
+using namespace vndf::test;
+
+namespace {
+
+/// The smallest block that the tests of damage go through byte by byte.
+const KernelTables& smallest() {
+  static const KernelTables tables =
+      bake(*small_tables("ggx").tables, {.tolerance = kMostTolerance});
+  return tables;
+}
+
+/// The same with a map and rows of y.
+const KernelTables& smallest_with_rows() {
+  static const KernelTables tables =
+      bake(*small_tables(kMixture).tables, {.tolerance = kMostTolerance});
+  return tables;
+}
+
+/// Reads from all over the tables; the sanitizers watch.
+void use(const Kernel& kernel) {
+  for (const double theta : {0.0, 1e-6, 30.0, 89.0, 90.0})
+    for (const float u : {0.0f, 1e-6f, 0.3f, 0.5f, 0.7f, 1.0f}) {
+      const Vec3<float> wi = direction_at<float>(theta, 40);
+      const Vec3<float> wm = kernel.sample_with_density(wi, {0.5f, 0.2f}, u, 1 - u).wm;
+      (void)kernel.sample(wi, {0.5f, 0.2f}, u, u);
+      (void)kernel.invert(wi, wm, {0.5f, 0.2f});
+      (void)kernel.pdf(wi, wm, {0.5f, 0.2f});
+    }
+}
+
+/// Whether the bytes are taken for tables; these are then used.
+bool accepted(std::span<const std::byte> bytes) {
+  try {
+    use(KernelTables::view(bytes).kernel());
+    return true;
+  } catch (const KernelTablesError&) {
+    return false;
+  }
+}
+
+std::string refusal(std::span<const std::byte> bytes) {
+  try {
+    KernelTables::view(bytes);
+  } catch (const KernelTablesError& e) {
+    return e.what();
+  }
+  return "accepted";
+}
+
+/// A file that is gone after the test.
+class File {
+ public:
+  explicit File(std::span<const std::byte> bytes)
+      : path_(std::filesystem::temp_directory_path() / "vndf-kernel-tables-test.vndf") {
+    std::ofstream(path_, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()),
+               static_cast<std::streamsize>(bytes.size()));
+  }
+  ~File() { std::filesystem::remove(path_); }
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace
+
+TEST_CASE("tables in memory, copied and loaded from a file are the same") {
+  Block block(smallest().bytes());
+  const KernelTables seen = KernelTables::view(block.bytes());
+  CHECK(seen.bytes().data() == block.data());
+  const File file(block.bytes());
+  const KernelTables loaded = load(file.path());
+  std::optional<KernelTables> copied = KernelTables::copy(block.bytes());
+  const KernelTables shared = *copied;
+  copied.reset();
+  for (const KernelTables& tables : {loaded, shared}) {
+    CHECK(std::ranges::equal(tables.bytes(), smallest().bytes()));
+    CHECK(reinterpret_cast<std::uintptr_t>(tables.bytes().data()) % kKernelAlignment == 0);
+  }
+  CHECK(same(loaded.kernel().sample({0.6f, 0, 0.8f}, {1, 1}, 0.3f, 0.7f),
+             seen.kernel().sample({0.6f, 0, 0.8f}, {1, 1}, 0.3f, 0.7f)));
+}
+
+TEST_CASE("texts and a certificate are kept beside the same numbers") {
+  Certificate certificate;
+  certificate.marginal.max_u_error = 1e-5;
+  certificate.max_pdf_error = 2e-5;
+  const KernelText text{"a law", "vndf build", "vndf 1", "0123", "one\ntwo\n"};
+  const KernelTables tables = smallest().with_certificate(certificate, true).with_text(text);
+  const KernelTables again = KernelTables::copy(tables.bytes());
+  CHECK(again.text().distribution == "a law");
+  CHECK(again.text().recipe == "vndf build");
+  CHECK(again.text().program == "vndf 1");
+  CHECK(again.text().input_checksum == "0123");
+  CHECK(again.text().notes == "one\ntwo\n");
+  CHECK(again.certificate().marginal.max_u_error == 1e-5);
+  CHECK(again.certificate().max_pdf_error == 2e-5);
+  CHECK(again.header().certified == 1);
+  CHECK(again.sampling_bytes() == smallest().sampling_bytes());
+  CHECK(smallest().header().certified == 0);
+}
+
+TEST_CASE("a block that was cut anywhere is refused") {
+  Block block(smallest().bytes());
+  std::size_t taken = 0;
+  for (std::size_t length = 0; length < block.size(); ++length)
+    taken += accepted(block.first(length)) ? 1 : 0;
+  CHECK(taken == 0);
+}
+
+TEST_CASE("a block that was cut and sealed again is never read beyond its end") {
+  constexpr std::size_t kStep = 16;
+  for (std::size_t length = sizeof(KernelHeader); length < smallest().bytes().size();
+       length += kStep) {
+    Block block(smallest().bytes().first(length));
+    block.header().bytes = length;
+    block.header().text = static_cast<std::uint32_t>(length);
+    block.header().text_bytes = 0;
+    block.seal();
+    accepted(block.bytes());
+  }
+}
+
+TEST_CASE("a change of any byte is found by the checksum") {
+  Block block(smallest().bytes());
+  constexpr std::size_t kStep = 61;  // of no period in common with the block
+  const std::size_t checksum = offsetof(KernelHeader, checksum);
+  std::size_t taken = 0;
+  for (std::size_t at = 0; at < block.size(); at += at < sizeof(KernelHeader) ? 1 : kStep) {
+    block.data()[at] ^= std::byte{0x10};
+    taken += at / 8 != checksum / 8 && accepted(block.bytes()) ? 1 : 0;
+    block.data()[at] ^= std::byte{0x10};
+  }
+  CHECK(taken == 0);
+  CHECK(accepted(block.bytes()));
+}
+
+TEST_CASE("a header of any bytes under a right checksum is refused or harmless") {
+  for (const KernelTables* tables : {&smallest(), &smallest_with_rows()}) {
+    Block block(tables->bytes());
+    for (std::size_t at = 0; at < sizeof(KernelHeader); ++at)
+      for (const int change : {1, 2, 4, 8, 0x10, 0x20, 0x40, 0x80, 0xff}) {
+        const std::byte kept = block.data()[at];
+        block.data()[at] ^= static_cast<std::byte>(change);
+        block.seal();
+        accepted(block.bytes());
+        block.data()[at] = kept;
+      }
+    block.seal();
+    CHECK(accepted(block.bytes()));
+  }
+}
+
+TEST_CASE("each refusal names its rule") {
+  Block block(smallest().bytes());
+  CHECK_THAT(refusal(block.first(20)), contains("shorter than the header"));
+  CHECK_THAT(refusal(block.first(block.size() - 1)), contains("fewer or more"));
+  block.data()[0] ^= std::byte{1};
+  CHECK_THAT(refusal(block.bytes()), contains("not a file of baked tables"));
+  block.data()[0] ^= std::byte{1};
+  block.header().version = 9;
+  CHECK_THAT(refusal(block.bytes()), contains("version 9") && contains("reads 1"));
+  block.header().version = kKernelVersion;
+  block.header().unit = -1;
+  CHECK_THAT(refusal(block.bytes()), contains("checksum"));
+  block.seal();
+  CHECK_THAT(refusal(block.bytes()), contains("the unit of slopes"));
+}
+
+TEST_CASE("a block must begin where vectors can be read") {
+  constexpr std::size_t kApart = 16;
+  std::vector<std::byte> space(kApart);
+  space.insert(space.end(), smallest().bytes().begin(), smallest().bytes().end());
+  Block block(space);
+  const auto apart = block.bytes().subspan(kApart);
+  CHECK_THAT(refusal(apart), contains("multiple of 64"));
+  use(KernelTables::copy(apart).kernel());
+}
+
+TEST_CASE("a file is refused if its certificate admits more than is asked for") {
+  Certificate certificate;
+  certificate.marginal.max_u_error = 2e-6;
+  certificate.conditional.max_u_error = 7e-6;
+  const File file(smallest().with_certificate(certificate, true).bytes());
+  CHECK_NOTHROW(load(file.path(), {.max_u_error = 7e-6}));
+  CHECK_THROWS_WITH(load(file.path(), {.max_u_error = 5e-6}),
+                    contains(file.path().string()) && contains("7e-06") && contains("5e-06") &&
+                        contains("--tolerance"));
+}
+
+TEST_CASE("a file that is none of baked tables is refused by name") {
+  CHECK_THROWS_WITH(load("missing.vndf"), contains("missing.vndf: cannot be read"));
+  const std::string foreign = "not a block";
+  const File file(std::as_bytes(std::span(foreign)));
+  CHECK_FALSE(is_kernel_file(file.path()));
+  CHECK_FALSE(is_kernel_file("missing.vndf"));
+  CHECK_THROWS_WITH(load(file.path()), contains(file.path().string()));
+  CHECK(is_kernel_file(File(smallest().bytes()).path()));
+}

@@ -1,0 +1,61 @@
+// The options of baking.
+#include "commands/bake_options.h"
+
+#include <fmt/format.h>
+
+#include "commands/arguments.h"
+#include "commands/table_files.h"
+
+namespace vndf::tools {
+namespace {
+
+CLI::Validator tolerance_rule() {
+  const auto positive = positive_number();
+  const auto rule = [positive](std::string text) -> std::string {
+    const std::string broken = positive(text);
+    if (!broken.empty()) return broken;
+    const double value = std::stod(text);
+    if (value >= kLeastTolerance && value <= kMostTolerance) return {};
+    return fmt::format("'{}' is not a number from {} to {}", text, kLeastTolerance, kMostTolerance);
+  };
+  return {rule, ""};
+}
+
+}  // namespace
+
+void add_bake_options(CLI::App& command, BakeArguments& arguments) {
+  const BakeOptions defaults;
+  command
+      .add_option("--tolerance", arguments.tolerance,
+                  fmt::format("Of baked tables (.vndf): largest difference from the pair, in u; {}",
+                              defaults.tolerance))
+      ->check(tolerance_rule());
+  command
+      .add_option("--max-bytes", arguments.max_bytes,
+                  fmt::format("Of baked tables (.vndf): most bytes that sampling reads; {}",
+                              defaults.max_bytes))
+      ->check(whole_number(1));
+}
+
+BakeOptions options_of(const BakeArguments& arguments) {
+  BakeOptions options;
+  options.tolerance = arguments.tolerance.value_or(options.tolerance);
+  options.max_bytes = arguments.max_bytes.value_or(options.max_bytes);
+  return options;
+}
+
+std::string recipe_options(const BakeOptions& options) {
+  return fmt::format(" --tolerance {} --max-bytes {}", options.tolerance, options.max_bytes);
+}
+
+void require_baked_output(const BakeArguments& arguments, const std::string& output) {
+  if (names_baked_tables(output)) return;
+  const auto refuse = [&](const char* option) {
+    throw CLI::ValidationError(
+        option, "is for baked tables, and " + output + " is a pair: give a .vndf file to write");
+  };
+  if (arguments.tolerance) refuse("--tolerance");
+  if (arguments.max_bytes) refuse("--max-bytes");
+}
+
+}  // namespace vndf::tools

@@ -1,0 +1,30 @@
+// The options of baking, which `vndf bake` and `vndf build` share.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "vndf/bake/bake.h"
+
+namespace vndf::tools {
+
+struct BakeArguments {
+  std::optional<double> tolerance;
+  std::optional<std::uint64_t> max_bytes;
+};
+
+/// Adds --tolerance and --max-bytes.
+void add_bake_options(CLI::App& command, BakeArguments& arguments);
+
+/// What is asked for, with the defaults of BakeOptions.
+BakeOptions options_of(const BakeArguments& arguments);
+
+/// The same as options of a command line, for a recipe.
+std::string recipe_options(const BakeOptions& options);
+
+/// Throws CLI::ValidationError if an option of baking is given where `output` is a pair of tables.
+void require_baked_output(const BakeArguments& arguments, const std::string& output);
+
+}  // namespace vndf::tools

@@ -1,0 +1,86 @@
+// vndf bench: the speed of every sampler beside its errors, in one run.
+#include <unistd.h>
+
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "commands/arguments.h"
+#include "commands/commands.h"
+#include "commands/output_file.h"
+#include "report/gnuplot.h"
+#include "vndf/bench/cases.h"
+#include "vndf/bench/speed_plot.h"
+#include "vndf/bench/speed_report.h"
+
+namespace vndf::tools {
+namespace {
+
+struct BenchArguments {
+  std::vector<std::string> files, only, distributions = bench::kUsualDistributions;
+  int repetitions = bench::CollectOptions().repetitions;
+  std::string json, plot;
+  bool quick = false;
+};
+
+/// What --quick leaves: enough to see that everything runs, too little to trust a figure.
+void make_quick(bench::CaseOptions& cases, bench::SpeedOptions& speed) {
+  cases.sides = {16, 64};
+  cases.tolerances = {1e-4};
+  speed.collect.seconds = 1e-3;
+  speed.samples = std::size_t{1} << 16;
+}
+
+void run_bench(const BenchArguments& arguments) {
+  // A name that cannot be written to is refused before any work.
+  const std::string terminal = arguments.plot.empty() ? "" : terminal_for(arguments.plot);
+  for (const std::string& name : {arguments.json, arguments.plot})
+    if (!name.empty()) require_output(name);
+  bench::CaseOptions cases{.distributions = arguments.distributions, .files = arguments.files};
+  bench::SpeedOptions speed;
+  speed.program = kProgram;
+  speed.collect.repetitions = arguments.repetitions;
+  if (isatty(STDERR_FILENO) != 0)
+    speed.collect.progress = [](const std::string& what) { std::cerr << what << '\n'; };
+  if (arguments.quick) make_quick(cases, speed);
+
+  const auto report =
+      bench::measure_speed(bench::chosen(bench::all_cases(cases), arguments.only), speed);
+  std::cout << bench::describe(report);
+  if (!arguments.json.empty()) write_json(arguments.json, bench::to_json(report));
+  if (!terminal.empty())
+    draw(arguments.plot,
+         [&](const std::string& name) { return bench::speed_plot(report, terminal, name); });
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app) {
+  auto* command =
+      app.add_subcommand("bench", "Time every sampler, tabulated or not, beside its errors");
+  const auto arguments = std::make_shared<BenchArguments>();
+  command->add_option("files", arguments->files,
+                      "Files of tables to time, .h5, .exr or .vndf, instead of distributions");
+  command->add_option("--only", arguments->only,
+                      "Only samplers in whose names one of these words occurs");
+  command->add_option("--distribution", arguments->distributions, "Distributions to tabulate")
+      ->capture_default_str();
+  command
+      ->add_option("--repetitions", arguments->repetitions,
+                   "Rounds, each of which times every sampler once")
+      ->check(whole_number(1, 1000000))
+      ->capture_default_str();
+  command->add_option("--json", arguments->json, "Write all figures to this file");
+  command->add_option("--plot", arguments->plot,
+                      "Draw speed against size: .svg or .png (needs gnuplot)");
+  command->add_flag("--quick", arguments->quick,
+                    "Few sizes, short timings: to see that it runs, not for figures");
+  command->callback([arguments, command] {
+    const bool files_alone = !arguments->files.empty() && command->count("--distribution") == 0;
+    if (files_alone) arguments->distributions.clear();
+    run_bench(*arguments);
+  });
+}
+
+}  // namespace vndf::tools

@@ -1,0 +1,120 @@
+// vndf check: judges the samples of any sampler, from a file of records. Exit status 0: accepted,
+// 1: rejected, 2: the input cannot be used.
+#include <fmt/format.h>
+
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "commands/arguments.h"
+#include "commands/commands.h"
+#include "commands/output_file.h"
+#include "commands/verdicts.h"
+#include "vndf/distributions/parse_distribution.h"
+#include "vndf/validate/records.h"
+#include "vndf/validate/sampler/sampler_under_test.h"
+#include "vndf/validate/validate_records.h"
+
+namespace vndf::tools {
+namespace {
+
+using validate::NormalLaw;
+using validate::RecordOptions;
+using validate::SlopeLaw;
+
+constexpr int kRejected = 1, kUnusable = 2;
+
+struct CheckArguments {
+  std::string records, against, law = "visible", map = "detect", json;
+  double u_error = RecordOptions{}.u_error;
+  unsigned threads = 0;
+};
+
+NormalLaw law_of(const std::string& name) {
+  if (name == "v-cavity") return NormalLaw::visible_v_cavity;
+  return name == "all" ? NormalLaw::all : NormalLaw::visible_smith;
+}
+
+RecordOptions options_of(const CheckArguments& a) {
+  RecordOptions options{.law = law_of(a.law), .u_error = a.u_error, .workers = {a.threads}};
+  if (a.map != "detect") options.inverse_map = a.map == "yes";
+  return options;
+}
+
+std::unique_ptr<SlopeLaw> against(const std::string& argument) {
+  if (names_a_file(argument))
+    return std::make_unique<SlopeLaw>(distribution_of(load_tables(argument)));
+  return std::make_unique<SlopeLaw>(precompute::parse_distribution(argument));
+}
+
+/// What the number of records can see, and the first failure with its place.
+std::string conclusion(const validate::Verdict& verdict) {
+  const validate::Finding* failure = verdict.first_failure();
+  if (failure == nullptr) return "accepted\n";
+  std::string text = fmt::format("rejected: {}, {}", failure->stage, failure->statistic);
+  if (!std::isnan(failure->where.theta))
+    text += fmt::format(" at theta {:.6g} degrees, alpha {:.4g} x {:.4g}", failure->where.theta,
+                        failure->where.alpha_x, failure->where.alpha_y);
+  return text + "\n";
+}
+
+validate::Verdict check(const CheckArguments& a) {
+  const auto law = against(a.against);
+  const auto records = validate::read_records(a.records);
+  if (records.list.size() < validate::kFewestRecords)
+    throw std::runtime_error(fmt::format("{}: it has {} records; give {} or more, better a million",
+                                         a.records, records.list.size(), validate::kFewestRecords));
+  auto verdict = judge_records(records, *law, options_of(a));
+  verdict.subject = a.records + " against " + a.against;
+  return verdict;
+}
+
+/// True if the records are accepted.
+bool check_and_report(const CheckArguments& a) {
+  if (!a.json.empty()) require_output(a.json, {a.records, a.against});
+  const auto verdict = check(a);
+  std::cout << describe(verdict) << conclusion(verdict);
+  if (!a.json.empty()) {
+    auto report = to_json(verdict);
+    report["program"] = kProgram;
+    write_json(a.json, report);
+  }
+  require_printed();
+  return verdict.passed();
+}
+
+}  // namespace
+
+void add_check(CLI::App& app) {
+  auto* command = app.add_subcommand(
+      "check", "Judge the samples of any sampler; status 1 if rejected, 2 if unusable");
+  const auto a = std::make_shared<CheckArguments>();
+  command
+      ->add_option("records", a->records,
+                   "CSV file wx,wy,wz,ax,ay[,u1,u2],mx,my,mz[,pdf], one sample a line")
+      ->required();
+  command->add_option("--against", a->against, "Named distribution or table file")->required();
+  command->add_option("--law", a->law, "Which normals are claimed to be drawn")
+      ->check(CLI::IsMember({"visible", "v-cavity", "all"}))
+      ->capture_default_str();
+  command->add_option("--map", a->map, "Whether slopes are the monotone inverse of the law at u")
+      ->check(CLI::IsMember({"detect", "yes", "no"}))
+      ->capture_default_str();
+  command->add_option("--u-error", a->u_error, "Largest error of the map in u")
+      ->check(positive_number())
+      ->capture_default_str();
+  add_threads(*command, a->threads);
+  command->add_option("--json", a->json, "Write the verdict to this file too");
+  command->callback([a] {
+    bool accepted = false;
+    try {
+      accepted = check_and_report(*a);
+    } catch (const std::exception& e) {
+      std::cerr << "vndf: " << e.what() << '\n';
+      throw CLI::RuntimeError(kUnusable);
+    }
+    if (!accepted) throw CLI::RuntimeError(kRejected);
+  });
+}
+
+}  // namespace vndf::tools

@@ -1,0 +1,55 @@
+// What the program writes and prints.
+#include "commands/output_file.h"
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+#include <system_error>
+
+#include "vndf/io/atomic_file.h"
+#include "vndf/io/format_error.h"
+
+namespace vndf::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The folder that `path` lies in.
+fs::path folder_of(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+}  // namespace
+
+void require_output(const std::string& path, const std::vector<std::string>& inputs) {
+  const auto refuse = [&](const std::string& why) { throw std::runtime_error(path + ": " + why); };
+  const fs::path folder = folder_of(path);
+  std::error_code error;
+  if (!fs::is_directory(folder, error))
+    refuse("the folder '" + folder.string() + "' does not exist; make it or choose another");
+  if (access(folder.c_str(), W_OK | X_OK) != 0)
+    refuse("the folder '" + folder.string() + "' cannot be written; choose another");
+  const fs::file_status status = fs::status(path, error);
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    refuse("it exists and is not a file, so that it cannot be replaced; choose another name");
+  for (const std::string& input : inputs)
+    if (fs::equivalent(path, input, error))
+      refuse("it is also read, and would be lost; choose another name to write to");
+}
+
+void write_json(const std::string& path, const nlohmann::ordered_json& report) {
+  try {
+    io::replace_file(path, report.dump(2) + "\n");
+  } catch (const io::Refusal& refusal) {
+    throw std::runtime_error(path + ": " + refusal.what());
+  }
+}
+
+void require_printed() {
+  if (!std::cout.flush())
+    throw std::runtime_error("cannot write to standard output; make room or choose another place");
+}
+
+}  // namespace vndf::tools

@@ -1,0 +1,152 @@
+// How the program shows a table file and its certificate.
+#include "report/report.h"
+
+#include <fmt/format.h>
+
+#include <sstream>
+
+namespace vndf::tools {
+namespace {
+
+void line(std::string& text, std::string_view what, const std::string& value) {
+  text += fmt::format("  {:<24}{}\n", what, value);
+}
+
+std::string size_of(const QuantileTable& table, std::string_view axes) {
+  return fmt::format("{} x {}   {}{}", table.rows(), table.columns(), axes,
+                     table.in_double() ? ", double precision" : "");
+}
+
+std::string ratios(const TailRatios& r) {
+  return fmt::format("{:.4f}   {:.4f}   {:.4f}", r.e4, r.e5, r.e6);
+}
+
+void describe(std::string& text, const TableErrors& e, std::string_view name,
+              std::string_view row) {
+  text += fmt::format("{} table\n", name);
+  line(text, "u-error, max",
+       fmt::format("{:.2e}   at {} {:.4g}, u {:.6g}", e.max_u_error, row, e.worst_row, e.worst_u));
+  line(text, "u-error, mean", fmt::format("{:.2e}", e.mean_u_error));
+  line(text, "density error, max", fmt::format("{:.2e}", e.max_density_error));
+  line(text, "tail mass ratio, low", ratios(e.lower));
+  line(text, "tail mass ratio, high", ratios(e.upper) + "   at 1e-4, 1e-5, 1e-6");
+}
+
+/// The slopes and where they come from.
+template <class Origin>
+std::string heading(const std::string& distribution, const Origin& origin) {
+  std::string text = fmt::format("{} slopes\n", distribution);
+  line(text, "made by", origin.recipe);
+  line(text, "with", origin.program);
+  if (!origin.input_checksum.empty())
+    line(text, "from a file of", "CRC-64 " + origin.input_checksum);
+  std::istringstream notes(origin.notes);
+  for (std::string note; std::getline(notes, note);) line(text, "", note);
+  return text;
+}
+
+void describe(std::string& text, const Certificate& c) {
+  describe(text, c.marginal, "marginal", "theta (degrees)");
+  describe(text, c.conditional, "conditional", "slope x");
+  text += "functions, relative error, max\n";
+  line(text, "D", fmt::format("{:.2e}", c.max_d_error));
+  line(text, "Lambda (of 1 + Lambda)", fmt::format("{:.2e}", c.max_lambda_error));
+  line(text, "pdf", fmt::format("{:.2e}", c.max_pdf_error));
+}
+
+nlohmann::ordered_json to_json(const Certificate& certificate) {
+  nlohmann::ordered_json json;
+  for_each_figure(certificate, [&](const std::string& name, double v) { json[name] = v; });
+  return json;
+}
+
+std::string kibibytes(std::size_t bytes) {
+  return fmt::format("{:.1f} KiB", static_cast<double>(bytes) / 1024);
+}
+
+const char* columns_of(const KernelHeader& h) {
+  return h.column_roots != 0 ? "roots of probabilities" : "probabilities";
+}
+
+const char* conditional_of(const KernelHeader& h) {
+  return h.separable != 0 ? "one row, over a scale that depends on x" : "rows in |x|";
+}
+
+}  // namespace
+
+std::string describe(const io::TableFile& file) {
+  const SlopeTables& t = *file.tables;
+  std::string text = heading(t.distribution, file.provenance);
+  line(text, "mean slope E|X|", fmt::format("{:.10g}", t.mean_slope));
+  line(text, "marginal table", size_of(t.marginal, "(theta, u1)"));
+  line(text, "conditional table",
+       size_of(t.conditional, "(|x|, u2)") +
+           (conditional_factorises(t) ? ", the same for all x" : ""));
+  line(text, "sampling reads", kibibytes(sampling_bytes(t)));
+  text += fmt::format("\nCertificate: errors in {} precision, measured off the grid\n",
+                      t.marginal.in_double() ? "double" : "single");
+  describe(text, file.certificate);
+  return text;
+}
+
+std::string describe(const KernelTables& tables) {
+  const KernelHeader& h = tables.header();
+  const KernelText origin = tables.text();
+  std::string text = heading(origin.distribution, origin);
+  line(text, "baked within", fmt::format("{:g} of the pair, in u", h.tolerance));
+  line(text, "differs from it by",
+       fmt::format("{:.2e} in slope x, {:.2e} in slope y", h.difference_x, h.difference_y));
+  line(text, "columns by", columns_of(h));
+  line(text, "slope y", conditional_of(h));
+  line(text, "unit of slopes", fmt::format("{:.7g}", h.unit));
+  line(text, "sampling reads", kibibytes(tables.sampling_bytes()));
+  text += h.certified != 0
+              ? "\nCertificate: errors in single precision, measured against the exact law\n"
+              : "\nCertificate: errors that follow from those of the pair, not measured\n";
+  describe(text, tables.certificate());
+  return text;
+}
+
+nlohmann::ordered_json to_json(const io::TableFile& file) {
+  const SlopeTables& t = *file.tables;
+  return {{"distribution", t.distribution},
+          {"recipe", file.provenance.recipe},
+          {"program", file.provenance.program},
+          {"input_checksum", file.provenance.input_checksum},
+          {"notes", file.provenance.notes},
+          {"mean_slope", t.mean_slope},
+          {"marginal_size", {t.marginal.rows(), t.marginal.columns()}},
+          {"conditional_size", {t.conditional.rows(), t.conditional.columns()}},
+          {"sampling_bytes", sampling_bytes(t)},
+          {"certificate", to_json(file.certificate)}};
+}
+
+nlohmann::ordered_json to_json(const KernelTables& tables) {
+  const KernelHeader& h = tables.header();
+  const KernelText text = tables.text();
+  return {{"distribution", text.distribution},
+          {"recipe", text.recipe},
+          {"program", text.program},
+          {"input_checksum", text.input_checksum},
+          {"notes", text.notes},
+          {"tolerance", h.tolerance},
+          {"difference_x", h.difference_x},
+          {"difference_y", h.difference_y},
+          {"columns", h.column_roots != 0 ? "roots" : "probabilities"},
+          {"separable", h.separable != 0},
+          {"unit", h.unit},
+          {"sampling_bytes", tables.sampling_bytes()},
+          {"bytes", tables.bytes().size()},
+          {"certified", h.certified != 0},
+          {"certificate", to_json(tables.certificate())}};
+}
+
+std::string written(const std::string& path, std::uintmax_t bytes, double seconds) {
+  constexpr double kKibi = 1024, kMebi = kKibi * kKibi;
+  const auto count = static_cast<double>(bytes);
+  const std::string size = count < kMebi ? fmt::format("{:.1f} KiB", count / kKibi)
+                                         : fmt::format("{:.1f} MiB", count / kMebi);
+  return fmt::format("\nwrote {} ({}) in {:.2f} s\n", path, size, seconds);
+}
+
+}  // namespace vndf::tools

@@ -1,0 +1,39 @@
+// The pictures of one subject in a report: data of lib/validate, drawn by gnuplot, and kept as EXR.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "vndf/support/parallel.h"
+#include "vndf/validate/sampler/sampler_under_test.h"
+
+namespace vndf::tools {
+
+struct Picture {
+  std::string name;                ///< of its file of data, a word
+  std::string title;               ///< what is drawn
+  std::string caption;             ///< what one sees, and what would be wrong
+  std::string png = {}, exr = {};  ///< bytes; empty where there is nothing to draw
+};
+
+struct PictureOptions {
+  std::uint64_t seed = 1;
+  precompute::Workers workers = {};
+  std::filesystem::path scratch = {};  ///< a folder for files that are gone afterwards
+};
+
+/// Sampled and exact density of slopes at four incidences, and their difference
+/// (slope_histogram.h).
+Picture density_picture(const validate::Subject& subject, const PictureOptions& options);
+
+/// The u-error of both slopes (u_error_map.h); only a caption where no map is claimed.
+Picture error_picture(const validate::Subject& subject, const PictureOptions& options);
+
+/// Weights of the subject and of the previous method at grazing incidence (sample_weights.h).
+Picture weight_picture(const validate::Subject& subject, const PictureOptions& options);
+
+/// p22, Lambda and D (distribution_curves.h).
+Picture curve_picture(const validate::Subject& subject, const PictureOptions& options);
+
+}  // namespace vndf::tools

@@ -1,0 +1,34 @@
+// The report of a run of validation: a page with pictures and their data, one section a subject.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "report/report_page.h"
+#include "vndf/io/atomic_folder.h"
+
+namespace vndf::tools {
+
+class ValidationReport {
+ public:
+  /// Throws std::runtime_error, before any work, if gnuplot is missing or `folder` cannot be made
+  /// or replaced (io::WholeFolder).
+  ValidationReport(const std::filesystem::path& folder, ReportCircumstances circumstances);
+
+  /// Draws the pictures of a subject, which takes some seconds.
+  void add(const validate::Subject& subject, const validate::Verdict& verdict,
+           const precompute::Workers& workers);
+
+  /// Writes the page and puts all in place.
+  void finish();
+
+ private:
+  std::string new_stem(const std::string& subject) const;
+
+  io::WholeFolder folder_;
+  ReportCircumstances circumstances_;
+  std::vector<ReportSection> sections_;
+};
+
+}  // namespace vndf::tools
