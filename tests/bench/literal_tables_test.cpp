@@ -23,11 +23,11 @@ constexpr double kNodeError = 3e-7;
 
 struct Made {
   explicit Made(const std::string& spec, std::size_t side)
-      : distribution(precompute::parse_distribution(spec)),
+      : distribution(distributions::parse_distribution(spec)),
         slopes(*distribution, {}),
         tables(make_literal_tables(slopes, side, {})) {}
 
-  std::unique_ptr<precompute::SlopeDistribution> distribution;
+  std::unique_ptr<distributions::SlopeDistribution> distribution;
   precompute::UnitSlopes slopes;
   std::shared_ptr<const LiteralTables> tables;
 };

@@ -16,6 +16,7 @@
 #include "vndf/distributions/parse_distribution.h"
 #include "vndf/precompute/unit_slopes.h"
 
+using namespace vndf::distributions;
 using namespace vndf::precompute;
 using namespace vndf::test;
 

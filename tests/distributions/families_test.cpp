@@ -17,7 +17,7 @@
 #include "vndf/distributions/parse_distribution.h"
 #include "vndf/distributions/slope_integrals.h"
 
-using namespace vndf::precompute;
+using namespace vndf::distributions;
 using namespace vndf::test;
 
 namespace {

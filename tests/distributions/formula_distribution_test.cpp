@@ -14,7 +14,7 @@
 #include "support/catch.h"
 #include "vndf/distributions/families.h"
 
-using namespace vndf::precompute;
+using namespace vndf::distributions;
 using namespace vndf::test;
 
 namespace {

@@ -14,6 +14,7 @@
 #include "support/visible_difference.h"
 
 using namespace vndf;
+using namespace vndf::distributions;
 using namespace vndf::precompute;
 using namespace vndf::test;
 

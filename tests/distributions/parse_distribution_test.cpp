@@ -8,7 +8,7 @@
 #include "vndf/distributions/families.h"
 #include "vndf/distributions/family_list.h"
 
-using namespace vndf::precompute;
+using namespace vndf::distributions;
 using namespace vndf::test;
 
 namespace {

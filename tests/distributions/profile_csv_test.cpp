@@ -13,7 +13,7 @@
 
 #include "support/catch.h"
 
-using namespace vndf::precompute;
+using namespace vndf::distributions;
 using namespace vndf::test;
 
 namespace {

@@ -8,7 +8,7 @@
 #include "support/catch.h"
 #include "vndf/distributions/formula_distribution.h"
 
-using namespace vndf::precompute;
+using namespace vndf::distributions;
 using namespace vndf::test;
 
 namespace {

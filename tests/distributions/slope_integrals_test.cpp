@@ -10,7 +10,7 @@
 #include "vndf/distributions/families.h"
 #include "vndf/distributions/parse_distribution.h"
 
-using namespace vndf::precompute;
+using namespace vndf::distributions;
 using namespace vndf::test;
 
 namespace {

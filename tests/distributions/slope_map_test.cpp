@@ -22,6 +22,7 @@
 #include "vndf/io/map_image.h"
 
 using namespace vndf;
+using namespace vndf::distributions;
 using namespace vndf::precompute;
 using namespace vndf::test;
 

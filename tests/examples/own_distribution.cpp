@@ -4,7 +4,7 @@
 #include "vndf/precompute/bake_certified.h"
 #include "vndf/precompute/build_tables.h"
 
-class StudentT final : public vndf::precompute::SlopeDistribution {
+class StudentT final : public vndf::distributions::SlopeDistribution {
  public:
   std::string name() const override { return "student-t 3"; }
   double p22(double r) const override { return std::pow(1 + r * r / 2, -3); }  // any scale

@@ -19,7 +19,7 @@ io::TableFile golden(const std::string& name) {
 }  // namespace
 
 TEST_CASE("files of version 2.0 are read, and err by what their certificates say") {
-  const auto ggx = precompute::parse_distribution("ggx");
+  const auto ggx = distributions::parse_distribution("ggx");
   const precompute::UnitSlopes slopes(*ggx, {});
   for (const std::string name : {"ggx-2.0.h5", "ggx-2.0.exr"}) {
     CAPTURE(name);

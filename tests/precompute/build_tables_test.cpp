@@ -17,6 +17,7 @@
 #include "vndf/table_coordinates.h"
 
 using namespace vndf;
+using namespace vndf::distributions;
 using namespace vndf::precompute;
 using namespace vndf::test;
 

@@ -13,6 +13,7 @@
 #include "vndf/distributions/parse_distribution.h"
 
 using namespace vndf;
+using namespace vndf::distributions;
 using namespace vndf::precompute;
 using namespace vndf::test;
 

@@ -14,6 +14,7 @@
 #include "vndf/distributions/parse_distribution.h"
 
 using namespace vndf;
+using namespace vndf::distributions;
 using namespace vndf::precompute;
 using namespace vndf::test;
 

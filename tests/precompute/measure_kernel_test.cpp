@@ -11,6 +11,7 @@
 #include "vndf/validate/validate.h"
 
 using namespace vndf;
+using namespace vndf::distributions;
 using namespace vndf::precompute;
 using namespace vndf::test;
 

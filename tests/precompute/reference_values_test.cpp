@@ -16,6 +16,7 @@
 #include "vndf/tabulated_sampler.h"
 
 using namespace vndf;
+using namespace vndf::distributions;
 using namespace vndf::precompute;
 using namespace vndf::test;
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "support/built_tables.h"
-#include "vndf/bake/bake.h"
+#include "vndf/baking/bake.h"
 
 namespace vndf::test {
 

@@ -15,7 +15,7 @@ const precompute::BuiltTables& built(Cache& cache, const std::string& distributi
                                      const precompute::BuildOptions& options) {
   const auto found = cache.find(distribution);
   if (found != cache.end()) return found->second;
-  const auto d = precompute::parse_distribution(distribution);
+  const auto d = distributions::parse_distribution(distribution);
   return cache.emplace(distribution, precompute::build_tables(*d, options)).first->second;
 }
 

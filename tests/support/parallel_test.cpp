@@ -7,7 +7,7 @@
 
 #include "support/catch.h"
 
-using vndf::precompute::parallel_for;
+using vndf::support::parallel_for;
 
 TEST_CASE("every piece is done once") {
   std::vector<std::atomic<int>> done(1000);

@@ -19,7 +19,7 @@ namespace vndf::test {
 
 /// The law of a specification, made once.
 inline std::shared_ptr<const validate::SlopeLaw> law_of(const std::string& specification) {
-  return std::make_shared<validate::SlopeLaw>(precompute::parse_distribution(specification));
+  return std::make_shared<validate::SlopeLaw>(distributions::parse_distribution(specification));
 }
 
 /// The functions of a sampler in closed form.

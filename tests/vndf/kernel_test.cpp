@@ -133,7 +133,8 @@ TEST_CASE("normals change little from the pole to directions next to it, and fro
     const Kernel kernel = baked_tables(law).kernel();
     double pole = 0, half = 0;
     for (std::size_t k = 0; k < 1000; ++k) {
-      const float u1 = static_cast<float>(golden(k)), u2 = static_cast<float>(golden(k, 0.2));
+      const float u1 = static_cast<float>(support::golden(k)),
+                  u2 = static_cast<float>(support::golden(k, 0.2));
       const auto distance = [](const Vec3<float>& a, const Vec3<float>& b) {
         return double{std::hypot(a.x - b.x, a.y - b.y, a.z - b.z)};
       };
@@ -167,8 +168,8 @@ TEST_CASE("the mean of a density over that of the map is its integral") {
       double sum = 0;
       for (std::size_t k = 0; k < kCount; ++k) {
         const double u1 = (static_cast<double>(k) + 0.5) / kCount;
-        const auto [wm, pdf] =
-            direction.sample_with_density(static_cast<float>(u1), static_cast<float>(golden(k)));
+        const auto [wm, pdf] = direction.sample_with_density(
+            static_cast<float>(u1), static_cast<float>(support::golden(k)));
         sum += double{kernel.pdf(wi, wm, alpha)} / double{pdf};
       }
       CAPTURE(law, theta);
@@ -184,11 +185,11 @@ TEST_CASE("the inverse of a normal is the u that it was drawn with") {
     double largest = 0;
     std::size_t lost = 0;
     for (std::size_t k = 0; k < 20000; ++k) {
-      const double theta = 85 * golden(k, 0.7);
-      const Vec3<float> wi = direction_at<float>(theta, 360 * golden(3 * k));
+      const double theta = 85 * support::golden(k, 0.7);
+      const Vec3<float> wi = direction_at<float>(theta, 360 * support::golden(3 * k));
       const Alpha<float> alpha{0.6f, 0.3f};
-      const float u1 = static_cast<float>(0.01 + 0.98 * golden(k)),
-                  u2 = static_cast<float>(0.01 + 0.98 * golden(2 * k, 0.2));
+      const float u1 = static_cast<float>(0.01 + 0.98 * support::golden(k)),
+                  u2 = static_cast<float>(0.01 + 0.98 * support::golden(2 * k, 0.2));
       const auto u = kernel.invert(wi, kernel.sample(wi, alpha, u1, u2), alpha);
       lost += !u;
       if (u)
@@ -209,9 +210,10 @@ TEST_CASE("D, Lambda, G1 and the density are those of the pair") {
     const Alpha<float> alpha{0.6f, 0.3f};
     const Alpha<double> wide{alpha.x, alpha.y};
     for (std::size_t k = 0; k < 2000; ++k) {
-      const Vec3<float> wi = direction_at<float>(89.9 * golden(k), 360 * golden(3 * k));
-      const Vec3<float> wm = kernel.sample(wi, alpha, static_cast<float>(golden(k, 0.2)),
-                                           static_cast<float>(golden(2 * k)));
+      const Vec3<float> wi =
+          direction_at<float>(89.9 * support::golden(k), 360 * support::golden(3 * k));
+      const Vec3<float> wm = kernel.sample(wi, alpha, static_cast<float>(support::golden(k, 0.2)),
+                                           static_cast<float>(support::golden(2 * k)));
       CAPTURE(law, wi.z, wm.x, wm.y, wm.z);
       CHECK(double{kernel.d(wm, alpha)} == Approx(pair.d(widen(wm), wide)).epsilon(kRelative));
       CHECK(1 + double{kernel.lambda(wi, alpha)} ==

@@ -27,7 +27,7 @@ using namespace vndf::test;
 namespace {
 
 precompute::BuiltTables built(const std::string& spec, const precompute::TableLayout& layout) {
-  return precompute::build_tables(*precompute::parse_distribution(spec), {.layout = layout});
+  return precompute::build_tables(*distributions::parse_distribution(spec), {.layout = layout});
 }
 
 /// Built once.

@@ -46,7 +46,7 @@ KernelText text_of(const io::TableFile& pair, const Arguments& a) {
 KernelTables baked(const io::TableFile& pair, const Arguments& a) {
   const BakeOptions options = options_of(a.baking);
   KernelText text = text_of(pair, a);
-  std::unique_ptr<precompute::SlopeDistribution> distribution;
+  std::unique_ptr<distributions::SlopeDistribution> distribution;
   try {
     distribution = distribution_of(pair.provenance.recipe, pair.provenance.input_checksum);
   } catch (const std::exception& e) {
@@ -57,7 +57,7 @@ KernelTables baked(const io::TableFile& pair, const Arguments& a) {
     text.notes += note + "\n";
     return precompute::bake_uncertified(*pair.tables, pair.certificate, options, text);
   }
-  const precompute::Workers workers{a.threads};
+  const support::Workers workers{a.threads};
   return precompute::bake_certified(precompute::UnitSlopes(*distribution, workers), *pair.tables,
                                     options, text, workers);
 }

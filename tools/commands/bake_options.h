@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "vndf/bake/bake.h"
+#include "vndf/baking/bake.h"
 
 namespace vndf::tools {
 

@@ -107,7 +107,7 @@ AnyTables tables_of(const BuildArguments& arguments, const DistributionSource& s
                           .input_checksum = source.input_checksum,
                           .notes = source.notes},
                          built.certificate};
-  const precompute::Workers workers{arguments.threads};
+  const support::Workers workers{arguments.threads};
   return precompute::bake_certified(precompute::UnitSlopes(*source.distribution, workers),
                                     *built.tables, options_of(arguments.baking),
                                     {.distribution = built.tables->distribution,

@@ -44,7 +44,7 @@ RecordOptions options_of(const CheckArguments& a) {
 std::unique_ptr<SlopeLaw> against(const std::string& argument) {
   if (names_a_file(argument))
     return std::make_unique<SlopeLaw>(distribution_of(load_tables(argument)));
-  return std::make_unique<SlopeLaw>(precompute::parse_distribution(argument));
+  return std::make_unique<SlopeLaw>(distributions::parse_distribution(argument));
 }
 
 /// What the number of records can see, and the first failure with its place.

@@ -23,7 +23,7 @@
 namespace vndf::tools {
 namespace {
 
-using precompute::SlopeDistribution;
+using distributions::SlopeDistribution;
 
 /// A distribution under the name that the user gives it.
 class Renamed final : public SlopeDistribution {
@@ -35,7 +35,7 @@ class Renamed final : public SlopeDistribution {
   bool costly() const override { return d_->costly(); }
   std::vector<double> breaks() const override { return d_->breaks(); }
   double support() const override { return d_->support(); }
-  std::optional<precompute::Marginals> marginals(double x) const override {
+  std::optional<distributions::Marginals> marginals(double x) const override {
     return d_->marginals(x);
   }
 
@@ -108,22 +108,23 @@ std::string break_options(const std::vector<double>& breaks) {
 
 DistributionSource from_spec(const SourceArguments& a) {
   DistributionSource source;
-  source.distribution = precompute::parse_distribution(a.spec);
+  source.distribution = distributions::parse_distribution(a.spec);
   source.options = quoted(source.distribution->name());
   return source;
 }
 
 DistributionSource from_p22(const SourceArguments& a) {
   DistributionSource source;
-  source.distribution = std::make_unique<precompute::FormulaDistribution>(
-      precompute::FormulaDistribution::from_p22({a.p22, parse_parameters(a.parameters)}, a.breaks));
+  source.distribution = std::make_unique<distributions::FormulaDistribution>(
+      distributions::FormulaDistribution::from_p22({a.p22, parse_parameters(a.parameters)},
+                                                   a.breaks));
   source.options =
       "--p22 " + quoted(a.p22) + parameter_options(a.parameters) + break_options(a.breaks);
   return source;
 }
 
 DistributionSource from_ndf(const SourceArguments& a) {
-  const precompute::NdfFormula ndf({a.ndf, parse_parameters(a.parameters)});
+  const distributions::NdfFormula ndf({a.ndf, parse_parameters(a.parameters)});
   DistributionSource source;
   source.options =
       "--ndf " + quoted(a.ndf) + parameter_options(a.parameters) + break_options(a.breaks);
@@ -134,19 +135,19 @@ DistributionSource from_ndf(const SourceArguments& a) {
     source.notes =
         fmt::format("the surface of alpha {}, stretched: not a family in alpha\n", *a.frozen_at);
   } else if (ndf.uses_alpha()) {
-    precompute::require_shape_invariant(ndf, ndf.text());
+    distributions::require_shape_invariant(ndf, ndf.text());
     source.notes = "shape-invariant: alpha only stretches it\n";
   }
-  source.distribution = std::make_unique<precompute::FormulaDistribution>(
-      precompute::FormulaDistribution::from_ndf(ndf, a.frozen_at.value_or(1), a.breaks));
+  source.distribution = std::make_unique<distributions::FormulaDistribution>(
+      distributions::FormulaDistribution::from_ndf(ndf, a.frozen_at.value_or(1), a.breaks));
   return source;
 }
 
-std::string describe(const precompute::TailFit& tail) {
+std::string describe(const distributions::TailFit& tail) {
   switch (tail.kind) {
-    case precompute::ProfileTail::none:
+    case distributions::ProfileTail::none:
       return "tail: none, p22 is 0 beyond the last sample\n";
-    case precompute::ProfileTail::exponential:
+    case distributions::ProfileTail::exponential:
       return fmt::format("tail: exponential, p22 ~ exp(-{:.6g} r), ", tail.parameter) +
              fmt::format("{:.2g} of the mass, fitted within {:.2g}\n", tail.fraction_of_mass_beyond,
                          tail.residual);
@@ -157,14 +158,14 @@ std::string describe(const precompute::TailFit& tail) {
   }
 }
 
-precompute::ProfileTail tail_kind(const std::string& name) {
-  if (name == "exponential") return precompute::ProfileTail::exponential;
-  return name == "power" ? precompute::ProfileTail::power : precompute::ProfileTail::none;
+distributions::ProfileTail tail_kind(const std::string& name) {
+  if (name == "exponential") return distributions::ProfileTail::exponential;
+  return name == "power" ? distributions::ProfileTail::power : distributions::ProfileTail::none;
 }
 
 DistributionSource from_profile(const SourceArguments& a) {
-  auto profile = std::make_unique<precompute::MeasuredProfile>(
-      std::filesystem::path(a.profile).stem().string(), precompute::read_profile_csv(a.profile),
+  auto profile = std::make_unique<distributions::MeasuredProfile>(
+      std::filesystem::path(a.profile).stem().string(), distributions::read_profile_csv(a.profile),
       tail_kind(a.tail));
   DistributionSource source;
   source.options = "--profile " + quoted(a.profile) + " --tail " + a.tail;
@@ -176,7 +177,7 @@ DistributionSource from_profile(const SourceArguments& a) {
 
 DistributionSource from_map(const SourceArguments& a) {
   const auto image = io::read_slope_map(a.map);
-  auto estimate = precompute::estimate_slope_map(
+  auto estimate = distributions::estimate_slope_map(
       image.slopes, {.name = std::filesystem::path(a.map).stem().string(), .force = a.force});
   const auto& s = estimate.statistics;
   DistributionSource source;
@@ -251,7 +252,7 @@ DistributionSource make_distribution(const SourceArguments& a) {
     source.distribution = std::make_unique<Renamed>(a.name, std::move(source.distribution));
   }
   const bool singular = !a.spec.empty() && std::isinf(source.distribution->p22(0));
-  precompute::diagnose(*source.distribution, {.singularity_at_zero_allowed = singular});
+  distributions::diagnose(*source.distribution, {.singularity_at_zero_allowed = singular});
   return source;
 }
 
@@ -273,7 +274,7 @@ DistributionSource distribution_of_recipe(const std::string& recipe) {
 
 std::string list_of_families() {
   std::string text;
-  for (const auto& f : precompute::families())
+  for (const auto& f : distributions::families())
     text += fmt::format("{:<18} {}\n{:<18} p22 = {}\n", f.name,
                         f.parameters.empty() ? "no parameters" : f.parameters, "", f.density);
   return text;

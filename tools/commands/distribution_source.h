@@ -23,7 +23,7 @@ struct SourceArguments {
 };
 
 struct DistributionSource {
-  std::unique_ptr<precompute::SlopeDistribution> distribution;
+  std::unique_ptr<distributions::SlopeDistribution> distribution;
   /// The options of `vndf build` that give it again.
   std::string options;
   /// CRC-64/XZ of the input file; empty without one.

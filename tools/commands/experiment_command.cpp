@@ -33,7 +33,7 @@ struct VarianceArguments {
 
 std::shared_ptr<const SlopeTables> tables_of(const VarianceArguments& a) {
   if (!a.tables.empty()) return load_pair(a.tables).tables;
-  const auto distribution = precompute::parse_distribution(a.distribution);
+  const auto distribution = distributions::parse_distribution(a.distribution);
   return precompute::build_tables(*distribution, {.threads = a.threads}).tables;
 }
 

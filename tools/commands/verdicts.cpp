@@ -58,8 +58,8 @@ nlohmann::ordered_json to_json(const Finding& f) {
 
 }  // namespace
 
-std::unique_ptr<precompute::SlopeDistribution> distribution_of(const std::string& recipe,
-                                                               const std::string& input_checksum) {
+std::unique_ptr<distributions::SlopeDistribution> distribution_of(
+    const std::string& recipe, const std::string& input_checksum) {
   const auto source = [&] {
     try {
       return distribution_of_recipe(recipe);
@@ -75,7 +75,7 @@ std::unique_ptr<precompute::SlopeDistribution> distribution_of(const std::string
   return std::move(again.distribution);
 }
 
-std::unique_ptr<precompute::SlopeDistribution> distribution_of(const AnyTables& tables) {
+std::unique_ptr<distributions::SlopeDistribution> distribution_of(const AnyTables& tables) {
   if (const auto* pair = std::get_if<io::TableFile>(&tables))
     return distribution_of(pair->provenance.recipe, pair->provenance.input_checksum);
   const KernelText text = std::get<KernelTables>(tables).text();

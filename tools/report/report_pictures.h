@@ -19,7 +19,7 @@ struct Picture {
 
 struct PictureOptions {
   std::uint64_t seed = 1;
-  precompute::Workers workers = {};
+  support::Workers workers = {};
   std::filesystem::path scratch = {};  ///< a folder for files that are gone afterwards
 };
 

@@ -31,7 +31,7 @@ std::string ValidationReport::new_stem(const std::string& subject) const {
 }
 
 void ValidationReport::add(const validate::Subject& subject, const validate::Verdict& verdict,
-                           const precompute::Workers& workers) {
+                           const support::Workers& workers) {
   ReportSection section{subject.name,
                         subject.law->slopes().distribution().name(),
                         new_stem(subject.name),

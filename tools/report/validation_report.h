@@ -18,7 +18,7 @@ class ValidationReport {
 
   /// Draws the pictures of a subject, which takes some seconds.
   void add(const validate::Subject& subject, const validate::Verdict& verdict,
-           const precompute::Workers& workers);
+           const support::Workers& workers);
 
   /// Writes the page and puts all in place.
   void finish();

@@ -36,8 +36,8 @@
 namespace vndf::bench {
 namespace {
 
+using distributions::SlopeDistribution;
 using precompute::BuiltTables;
-using precompute::SlopeDistribution;
 
 // Closed forms. A sampler of another law than that of visible Smith normals has no u-error.
 
@@ -150,7 +150,7 @@ struct Source {
 
   auto slopes() const {
     return builds->get(spec + " slopes", [this] {
-      return std::make_unique<const precompute::UnitSlopes>(*distribution, precompute::Workers{});
+      return std::make_unique<const precompute::UnitSlopes>(*distribution, support::Workers{});
     });
   }
   auto tables(std::size_t side) const {
@@ -164,7 +164,7 @@ struct Source {
     const auto bake = [&](std::size_t max_bytes) {
       return precompute::bake_certified(*slopes()->value, *pair->value.tables,
                                         BakeOptions{tolerance, max_bytes}, KernelText{},
-                                        precompute::Workers{});
+                                        support::Workers{});
     };
     const auto fast =
         builds->get(kernel_name(spec, tolerance, false), [&] { return bake(kMostBakedBytes); });
@@ -350,7 +350,7 @@ std::vector<Case> all_cases(const CaseOptions& options) {
     if (spec == "ggx") add_ggx(list);
     if (spec == "ggx") list.push_back(batched_caps());
     if (spec == "beckmann") add_beckmann(list);
-    const Source source{spec, precompute::parse_distribution(spec), builds};
+    const Source source{spec, distributions::parse_distribution(spec), builds};
     add_tables(list, source, options.sides);
     add_kernels(list, source, options.tolerances);
   }

@@ -16,12 +16,12 @@ using precompute::density_error;
 using precompute::from_complement;
 using precompute::from_tail;
 using precompute::keep_farthest;
-using precompute::parallel_for;
 using precompute::tail_ratio;
 using precompute::u_error;
 using precompute::UnitSlopes;
 using precompute::VisibleSlopes;
-using precompute::Workers;
+using support::parallel_for;
+using support::Workers;
 
 namespace {
 
@@ -82,7 +82,7 @@ double row_slope(const UnitSlopes& slopes, std::size_t i, std::size_t side) {
 }
 
 /// Rows are symmetric in x; those of x <= 0 come first, the last of them nearest to 0.
-void fill_y(const UnitSlopes& slopes, LiteralTables& tables, const Workers& workers) {
+void fill_y(const UnitSlopes& slopes, LiteralTables& tables, const support::Workers& workers) {
   const std::size_t side = tables.side, half = (side + 1) / 2;
   const auto reached = [&](std::size_t i) {
     const double x = row_slope(slopes, i, side);
@@ -91,7 +91,7 @@ void fill_y(const UnitSlopes& slopes, LiteralTables& tables, const Workers& work
   std::size_t first = 0;
   while (first + 1 < half && !reached(first)) ++first;
   const auto row = [&](std::size_t i) { return tables.y.data() + i * side; };
-  parallel_for(half - first, workers, [&](std::size_t k) {
+  support::parallel_for(half - first, workers, [&](std::size_t k) {
     fill_y_row(slopes, reached(first + k) ? row_slope(slopes, first + k, side) : 0, side,
                row(first + k));
   });
@@ -103,7 +103,7 @@ void fill_y(const UnitSlopes& slopes, LiteralTables& tables, const Workers& work
 
 std::vector<Probability<double>> probabilities(std::size_t side, double shift) {
   std::vector<Probability<double>> list;
-  for (std::size_t k = 0; k < kUniform; ++k) list.push_back(from_tail(golden(k, shift)));
+  for (std::size_t k = 0; k < kUniform; ++k) list.push_back(from_tail(support::golden(k, shift)));
   for (std::size_t k = 0; k < kPerCell * kEdgeColumns; ++k) {
     const double e = (static_cast<double>(k) + 0.5) / kPerCell / static_cast<double>(side - 1);
     list.push_back(from_tail(e));
@@ -116,7 +116,7 @@ std::vector<Probability<double>> probabilities(std::size_t side, double shift) {
 template <class Law>
 LiteralErrors judge_row(const Law& law, std::size_t index, std::size_t side) {
   LiteralErrors errors;
-  for (const auto& u : probabilities(side, golden(index, 0.25))) {
+  for (const auto& u : probabilities(side, support::golden(index, 0.25))) {
     errors.max_u_error = std::max(errors.max_u_error, std::abs(u_error(law(u), u)));
     if (std::min(u.u, u.complement) >= kDensityEnd)
       errors.max_density_error = std::max(errors.max_density_error, density_error(law, u));
@@ -142,12 +142,12 @@ LiteralErrors combine(const std::vector<LiteralErrors>& rows) {
 }  // namespace
 
 std::shared_ptr<const LiteralTables> make_literal_tables(const UnitSlopes& slopes, std::size_t side,
-                                                         const Workers& workers) {
+                                                         const support::Workers& workers) {
   auto tables = std::make_shared<LiteralTables>();
   tables->side = side;
   tables->x.resize(side * side);
   tables->y.resize(side * side);
-  parallel_for(side, workers, [&](std::size_t i) {
+  support::parallel_for(side, workers, [&](std::size_t i) {
     const double theta = kRightAngle * static_cast<double>(i) / static_cast<double>(side - 1);
     fill_x_row(slopes, theta, side, tables->x.data() + i * side);
   });
@@ -157,11 +157,11 @@ std::shared_ptr<const LiteralTables> make_literal_tables(const UnitSlopes& slope
 
 LiteralErrors measure_literal(const UnitSlopes& slopes,
                               const std::shared_ptr<const LiteralTables>& tables,
-                              const Workers& workers) {
+                              const support::Workers& workers) {
   const LiteralSampler<double> sampler(tables);
   const std::vector<double> places = precompute::off_grid_rows(tables->side, kRows);
   std::vector<LiteralErrors> rows(places.size());
-  parallel_for(rows.size(), workers, [&](std::size_t i) {
+  support::parallel_for(rows.size(), workers, [&](std::size_t i) {
     const double theta = places[i] * kRightAngle;
     const VisibleSlopes visible = visible_at(slopes, theta);
     const auto law = [&](const Probability<double>& u) {

@@ -39,7 +39,7 @@ struct LiteralTables {
 /// nearest row that one reaches.
 std::shared_ptr<const LiteralTables> make_literal_tables(const precompute::UnitSlopes& slopes,
                                                          std::size_t side,
-                                                         const precompute::Workers& workers);
+                                                         const support::Workers& workers);
 
 /// Bilinear value of a square table at coordinates in [0, 1].
 template <class T>
@@ -99,6 +99,6 @@ struct LiteralErrors {
 /// stated: they hang on how x is spread over rows.
 LiteralErrors measure_literal(const precompute::UnitSlopes& slopes,
                               const std::shared_ptr<const LiteralTables>& tables,
-                              const precompute::Workers& workers);
+                              const support::Workers& workers);
 
 }  // namespace vndf::bench

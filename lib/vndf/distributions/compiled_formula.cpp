@@ -19,7 +19,7 @@
 
 #include "vndf/support/text.h"
 
-namespace vndf::precompute {
+namespace vndf::distributions {
 
 struct CompiledFormula::Definition {
   Formula formula;
@@ -174,7 +174,8 @@ void check_parameters(const Definition& definition, const KnownNames& known) {
     if (contains(known.functions, name) || contains(known.constants, name))
       throw std::invalid_argument(start + "has the name of a function or a constant");
     if (!std::isfinite(value))
-      throw std::invalid_argument(start + "is " + number_text(value) + "; it must be finite");
+      throw std::invalid_argument(start + "is " + support::number_text(value) +
+                                  "; it must be finite");
     if (definition.used.count(name) == 0)
       throw std::invalid_argument(start + "is not used by the formula");
   }
@@ -186,10 +187,10 @@ void check_word(const Word& word, const std::string& text, const KnownNames& kno
     if (!word.called) refuse(text, word.position, "function " + quoted + " needs '(' after it");
   } else if (!contains(known.values, word.text) && !contains(known.constants, word.text)) {
     const auto& candidates = word.called ? known.functions : known.values;
-    const std::string nearest = did_you_mean(word.text, candidates);
+    const std::string nearest = support::did_you_mean(word.text, candidates);
     refuse(text, word.position,
            (word.called ? "there is no function " : "nothing is called ") + quoted + nearest +
-               (nearest.empty() ? "; known: " : " known: ") + listed(candidates));
+               (nearest.empty() ? "; known: " : " known: ") + support::listed(candidates));
   }
 }
 
@@ -258,7 +259,7 @@ CompiledFormula::CompiledFormula(const Formula& formula,
                                  const std::vector<std::string>& variables) {
   Definition definition{formula, variables, {}, formula.text};
   for (const auto& [name, value] : formula.parameters)
-    definition.shown += ", " + name + "=" + number_text(value);
+    definition.shown += ", " + name + "=" + support::number_text(value);
   if (formula.text.find_first_not_of(' ') == std::string::npos)
     refuse(formula.text, 0, "the formula is empty");
   const KnownNames known(definition);
@@ -295,4 +296,4 @@ double CompiledFormula::at_slope(double r, double second) const {
   return instance.parser.Eval();
 }
 
-}  // namespace vndf::precompute
+}  // namespace vndf::distributions

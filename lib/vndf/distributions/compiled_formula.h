@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace vndf::precompute {
+namespace vndf::distributions {
 
 /// A formula and the numbers that its names stand for. It may use + - * / ^, comparisons, && ||,
 /// CONDITION ? A : B, the constants pi and e, and the functions abs acos acosh asin asinh atan
@@ -44,4 +44,4 @@ class CompiledFormula {
   std::shared_ptr<const Definition> definition_;
 };
 
-}  // namespace vndf::precompute
+}  // namespace vndf::distributions

@@ -10,7 +10,7 @@
 #include "vndf/distributions/slope_integrals.h"
 #include "vndf/support/text.h"
 
-namespace vndf::precompute {
+namespace vndf::distributions {
 namespace {
 
 [[noreturn]] void refuse(const SlopeDistribution& d, const std::string& why) {
@@ -38,7 +38,7 @@ std::vector<double> radii_to_look_at(const SlopeDistribution& d) {
 void check_zero(const SlopeDistribution& d, const DiagnoseOptions& options) {
   const double density = d.p22(0);
   if (std::isnan(density) || density < 0)
-    refuse(d, "p22 is " + rounded_text(density) +
+    refuse(d, "p22 is " + support::rounded_text(density) +
                   " at slope radius 0; it must be >= 0 there (give the limit, for example by a "
                   "condition: r > 0 ? ... : LIMIT)");
   if (std::isinf(density) && !options.singularity_at_zero_allowed)
@@ -51,11 +51,11 @@ void check_zero(const SlopeDistribution& d, const DiagnoseOptions& options) {
 double checked_density(const SlopeDistribution& d, double r) {
   const double density = d.p22(r);
   if (std::isinf(density) && density > 0)
-    refuse(d, "p22 is infinite at slope radius " + rounded_text(r) +
+    refuse(d, "p22 is infinite at slope radius " + support::rounded_text(r) +
                   "; only radius 0 may be singular");
   if (!(density >= 0))
-    refuse(d, "p22 is " + rounded_text(density) + " at slope radius " + rounded_text(r) +
-                  "; a density must be finite and >= 0");
+    refuse(d, "p22 is " + support::rounded_text(density) + " at slope radius " +
+                  support::rounded_text(r) + "; a density must be finite and >= 0");
   return density;
 }
 
@@ -78,8 +78,8 @@ void check_scan(const SlopeDistribution& d) {
     if (last_positive < i && i - last_positive > 2) {
       const double begin = edge(d, radii[last_positive + 1], radii[last_positive]);
       const double end = edge(d, radii[i - 1], radii[i]);
-      refuse(d, "p22 is zero from slope radius " + rounded_text(begin) + " to " +
-                    rounded_text(end) +
+      refuse(d, "p22 is zero from slope radius " + support::rounded_text(begin) + " to " +
+                    support::rounded_text(end) +
                     " and positive on both sides; the map from random numbers to slopes would "
                     "not be unique there");
     }
@@ -95,4 +95,4 @@ void diagnose(const SlopeDistribution& d, const DiagnoseOptions& options) {
   mean_slope(d, slope_mass(d).value);  // they refuse what cannot be integrated
 }
 
-}  // namespace vndf::precompute
+}  // namespace vndf::distributions

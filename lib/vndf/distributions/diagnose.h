@@ -3,7 +3,7 @@
 
 #include "vndf/distributions/slope_distribution.h"
 
-namespace vndf::precompute {
+namespace vndf::distributions {
 
 struct DiagnoseOptions {
   /// Whether p22 may be infinite at r = 0, as the K distribution is, whose integrals are known to
@@ -18,4 +18,4 @@ struct DiagnoseOptions {
 /// break: an empty interval of less than 1 % may pass.
 void diagnose(const SlopeDistribution& d, const DiagnoseOptions& options = {});
 
-}  // namespace vndf::precompute
+}  // namespace vndf::distributions

@@ -11,7 +11,7 @@
 
 #include "vndf/support/text.h"
 
-namespace vndf::precompute {
+namespace vndf::distributions {
 namespace {
 
 using std::numbers::inv_pi;
@@ -21,7 +21,7 @@ using std::numbers::sqrt3;
 /// Returns `value` if it is finite and `valid`.
 double checked(double value, bool valid, const std::string& what, const std::string& rule) {
   if (valid && std::isfinite(value)) return value;
-  throw std::invalid_argument(what + " is " + number_text(value) + "; it must be " + rule);
+  throw std::invalid_argument(what + " is " + support::number_text(value) + "; it must be " + rule);
 }
 
 double checked_tail(double value, const std::string& what) {
@@ -96,13 +96,13 @@ StudentT::StudentT(double gamma)
     : PowerLaw(checked_tail(gamma, "student-t: gamma"), gamma - 1), gamma_(gamma) {}
 
 std::string StudentT::name() const {
-  return "student-t:gamma=" + number_text(gamma_);
+  return "student-t:gamma=" + support::number_text(gamma_);
 }
 
 HyperCauchy::HyperCauchy(double q) : PowerLaw(checked_tail(q, "hyper-cauchy: q"), 2), q_(q) {}
 
 std::string HyperCauchy::name() const {
-  return "hyper-cauchy:q=" + number_text(q_);
+  return "hyper-cauchy:q=" + support::number_text(q_);
 }
 
 BlinnPhong::BlinnPhong(double n)
@@ -115,7 +115,7 @@ BlinnPhong::BlinnPhong(double n)
       n_(n) {}
 
 std::string BlinnPhong::name() const {
-  return "blinn-phong:n=" + number_text(n_);
+  return "blinn-phong:n=" + support::number_text(n_);
 }
 
 namespace {
@@ -134,7 +134,7 @@ ExponentialPower::ExponentialPower(double p)
       log_factor_(std::log(p / 2 * inv_pi) - std::lgamma(2 / p)) {}
 
 std::string ExponentialPower::name() const {
-  return "exponential-power:p=" + number_text(p_);
+  return "exponential-power:p=" + support::number_text(p_);
 }
 
 double ExponentialPower::p22(double r) const {
@@ -154,7 +154,7 @@ KDistribution::KDistribution(double nu)
       factor_(2 * nu * inv_pi / boost::math::tgamma(nu)) {}
 
 std::string KDistribution::name() const {
-  return "k:nu=" + number_text(nu_);
+  return "k:nu=" + support::number_text(nu_);
 }
 
 namespace {
@@ -216,7 +216,7 @@ PearsonII::PearsonII(double m)
       top_(half_gamma_step(m + 1.5) * inv_sqrtpi) {}
 
 std::string PearsonII::name() const {
-  return "pearson-ii:m=" + number_text(m_);
+  return "pearson-ii:m=" + support::number_text(m_);
 }
 
 double PearsonII::p22(double r) const {
@@ -239,7 +239,7 @@ Annulus::Annulus(double inner)
       area_((1 - inner) * (1 + inner)) {}
 
 std::string Annulus::name() const {
-  return "annulus:inner=" + number_text(inner_);
+  return "annulus:inner=" + support::number_text(inner_);
 }
 
 double Annulus::p22(double r) const {
@@ -290,4 +290,4 @@ std::optional<Marginals> Volcano::marginals(double x) const {
   return Marginals{(x * x + 0.5) * e, std::erfc(x) / 2 + x * e / 2, (x * x / 2 + 0.75) * e};
 }
 
-}  // namespace vndf::precompute
+}  // namespace vndf::distributions

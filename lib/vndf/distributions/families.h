@@ -10,7 +10,7 @@
 
 #include "vndf/distributions/slope_distribution.h"
 
-namespace vndf::precompute {
+namespace vndf::distributions {
 
 /// Beckmann: Gaussian slopes, p22(r) = exp(-r^2) / pi.
 class Beckmann final : public SlopeDistribution {
@@ -154,4 +154,4 @@ class Volcano final : public SlopeDistribution {
   std::optional<Marginals> marginals(double x) const override;
 };
 
-}  // namespace vndf::precompute
+}  // namespace vndf::distributions

@@ -6,7 +6,7 @@
 #include "vndf/distributions/families.h"
 #include "vndf/support/text.h"
 
-namespace vndf::precompute {
+namespace vndf::distributions {
 namespace {
 
 template <class Family>
@@ -19,8 +19,8 @@ FamilyInfo without_parameter(std::string name, std::string density, std::string 
 template <class Family>
 FamilyInfo with_parameter(std::string name, FamilyParameter parameter, std::string density,
                           std::string source) {
-  const std::string shown =
-      parameter.name + "=" + number_text(parameter.default_value) + " (" + parameter.range + ")";
+  const std::string shown = parameter.name + "=" + support::number_text(parameter.default_value) +
+                            " (" + parameter.range + ")";
   return {std::move(name),
           shown,
           std::move(density),
@@ -74,4 +74,4 @@ const std::vector<FamilyInfo>& families() {
   return list;
 }
 
-}  // namespace vndf::precompute
+}  // namespace vndf::distributions

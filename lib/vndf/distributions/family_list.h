@@ -9,7 +9,7 @@
 
 #include "vndf/distributions/slope_distribution.h"
 
-namespace vndf::precompute {
+namespace vndf::distributions {
 
 /// A number that a family takes.
 struct FamilyParameter {
@@ -32,4 +32,4 @@ struct FamilyInfo {
 /// All of them, in the order to show.
 const std::vector<FamilyInfo>& families();
 
-}  // namespace vndf::precompute
+}  // namespace vndf::distributions

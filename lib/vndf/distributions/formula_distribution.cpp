@@ -9,7 +9,7 @@
 
 #include "vndf/support/text.h"
 
-namespace vndf::precompute {
+namespace vndf::distributions {
 
 double NdfFormula::p22(double r, double alpha) const {
   const double square = 1 + r * r;
@@ -40,7 +40,7 @@ double end_of(P22 p22) {
 std::vector<double> checked_breaks(std::vector<double> breaks, double support) {
   for (const double r : breaks)
     if (!(r > 0) || !std::isfinite(r))
-      throw std::invalid_argument("the break at slope radius " + number_text(r) +
+      throw std::invalid_argument("the break at slope radius " + support::number_text(r) +
                                   " must be a finite number > 0");
   std::erase_if(breaks, [&](double r) { return r > support * (1 - 1e-9); });
   if (std::isfinite(support)) breaks.push_back(support);
@@ -69,9 +69,9 @@ FormulaDistribution FormulaDistribution::from_p22(const Formula& formula,
 FormulaDistribution FormulaDistribution::from_ndf(const NdfFormula& ndf, double alpha,
                                                   const std::vector<double>& breaks) {
   if (!(alpha > 0) || !std::isfinite(alpha))
-    throw std::invalid_argument("the roughness alpha of D is " + number_text(alpha) +
+    throw std::invalid_argument("the roughness alpha of D is " + support::number_text(alpha) +
                                 "; it must be a finite number > 0");
-  const std::string at = ndf.uses_alpha() ? ", alpha=" + number_text(alpha) : "";
+  const std::string at = ndf.uses_alpha() ? ", alpha=" + support::number_text(alpha) : "";
   return {"D(theta) = " + ndf.text() + at, [ndf, alpha](double r) { return ndf.p22(r, alpha); },
           true, breaks};
 }
@@ -82,4 +82,4 @@ double FormulaDistribution::p22(double r) const {
   return r > kFar && !std::isfinite(density) ? 0 : density;
 }
 
-}  // namespace vndf::precompute
+}  // namespace vndf::distributions

@@ -10,7 +10,7 @@
 #include "vndf/distributions/compiled_formula.h"
 #include "vndf/distributions/slope_distribution.h"
 
-namespace vndf::precompute {
+namespace vndf::distributions {
 
 /// D(theta, alpha); the formula need not use alpha. Any number of threads may call it.
 class NdfFormula {
@@ -68,4 +68,4 @@ class FormulaDistribution final : public SlopeDistribution {
   std::vector<double> breaks_;  // increasing, up to the support, which is among them if finite
 };
 
-}  // namespace vndf::precompute
+}  // namespace vndf::distributions

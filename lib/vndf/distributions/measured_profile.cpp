@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace vndf::precompute {
+namespace vndf::distributions {
 namespace {
 
 constexpr std::size_t kFewestSamples = 4, kFewestTailSamples = 4;
@@ -293,4 +293,4 @@ void MeasuredProfile::add_tail(double x, double low, Marginals& sum) const {
   sum.m += integral([](double s) { return s * s; });
 }
 
-}  // namespace vndf::precompute
+}  // namespace vndf::distributions

@@ -9,7 +9,7 @@
 
 #include "vndf/distributions/slope_distribution.h"
 
-namespace vndf::precompute {
+namespace vndf::distributions {
 
 /// p22 at radii r, in any scale of either.
 struct RadialProfile {
@@ -88,4 +88,4 @@ class MeasuredProfile final : public SlopeDistribution {
   double mass_ = 0, mean_slope_ = 0;
 };
 
-}  // namespace vndf::precompute
+}  // namespace vndf::distributions

@@ -8,18 +8,19 @@
 
 #include "vndf/support/text.h"
 
-namespace vndf::precompute {
+namespace vndf::distributions {
 namespace {
 
 void require_positive(double value, const std::string& what, std::size_t index) {
   if (value > 0 && std::isfinite(value)) return;
   throw std::invalid_argument("mixture: " + what + " of component " + std::to_string(index + 1) +
-                              " is " + number_text(value) + "; it must be a finite number > 0");
+                              " is " + support::number_text(value) +
+                              "; it must be a finite number > 0");
 }
 
 std::string text_of(const Mixture::Component& c) {
-  return number_text(c.weight) + "*" + c.distribution->name() +
-         (c.roughness == 1 ? "" : std::string("@").append(number_text(c.roughness)));
+  return support::number_text(c.weight) + "*" + c.distribution->name() +
+         (c.roughness == 1 ? "" : std::string("@").append(support::number_text(c.roughness)));
 }
 
 }  // namespace
@@ -80,4 +81,4 @@ std::optional<Marginals> Mixture::marginals(double x) const {
   return sum;
 }
 
-}  // namespace vndf::precompute
+}  // namespace vndf::distributions

@@ -8,7 +8,7 @@
 
 #include "vndf/distributions/slope_distribution.h"
 
-namespace vndf::precompute {
+namespace vndf::distributions {
 
 /// sum w_i p22_i(r / a_i) / a_i^2 of normalised distributions. Its visible normals are no fixed
 /// mixture of theirs: the weights change with the incident direction.
@@ -38,4 +38,4 @@ class Mixture final : public SlopeDistribution {
   std::string name_;
 };
 
-}  // namespace vndf::precompute
+}  // namespace vndf::distributions

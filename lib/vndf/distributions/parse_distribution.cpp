@@ -14,7 +14,7 @@
 #include "vndf/distributions/mixture.h"
 #include "vndf/support/text.h"
 
-namespace vndf::precompute {
+namespace vndf::distributions {
 namespace {
 
 constexpr auto kNone = std::string_view::npos;
@@ -92,7 +92,7 @@ double number(const Piece& piece, const std::string& what) {
 
 double positive_number(const Piece& piece, const std::string& what) {
   const double value = number(piece, what);
-  if (!(value > 0)) piece.refuse(what + " is " + number_text(value) + "; it must be > 0");
+  if (!(value > 0)) piece.refuse(what + " is " + support::number_text(value) + "; it must be > 0");
   return value;
 }
 
@@ -102,10 +102,10 @@ const FamilyInfo& family_called(const Piece& name) {
     if (family.name == name.text()) return family;
     known.push_back(family.name);
   }
-  if (name.empty()) name.refuse("a distribution is missing; known: " + listed(known));
-  const std::string nearest = did_you_mean(name.text(), known);
+  if (name.empty()) name.refuse("a distribution is missing; known: " + support::listed(known));
+  const std::string nearest = support::did_you_mean(name.text(), known);
   name.refuse("no distribution is called " + name.quoted() + nearest +
-              (nearest.empty() ? "; known: " : " known: ") + listed(known));
+              (nearest.empty() ? "; known: " : " known: ") + support::listed(known));
 }
 
 /// Index among the parameters of `family`.
@@ -116,10 +116,11 @@ std::size_t parameter_called(const FamilyInfo& family, const Piece& name) {
     known.push_back(parameter.name);
   }
   if (known.empty()) name.refuse(family.name + " takes no parameters");
-  if (name.empty()) name.refuse(family.name + ": a parameter has no name; known: " + listed(known));
-  const std::string nearest = did_you_mean(name.text(), known);
+  if (name.empty())
+    name.refuse(family.name + ": a parameter has no name; known: " + support::listed(known));
+  const std::string nearest = support::did_you_mean(name.text(), known);
   name.refuse(family.name + " has no parameter " + name.quoted() +
-              (nearest.empty() ? "; known: " + listed(known) : nearest));
+              (nearest.empty() ? "; known: " + support::listed(known) : nearest));
 }
 
 /// NAME=NUMBER,... over the defaults.
@@ -192,4 +193,4 @@ std::unique_ptr<SlopeDistribution> parse_distribution(const std::string& spec) {
   return parse_family(whole);
 }
 
-}  // namespace vndf::precompute
+}  // namespace vndf::distributions

@@ -9,7 +9,7 @@
 
 #include "vndf/distributions/slope_distribution.h"
 
-namespace vndf::precompute {
+namespace vndf::distributions {
 
 /// The distribution that `spec` describes; its name() is the same specification with every
 /// parameter written out, and parses to an equal distribution. Throws std::invalid_argument, one
@@ -18,4 +18,4 @@ namespace vndf::precompute {
 /// its range.
 std::unique_ptr<SlopeDistribution> parse_distribution(const std::string& spec);
 
-}  // namespace vndf::precompute
+}  // namespace vndf::distributions

@@ -11,7 +11,7 @@
 #include "vndf/support/csv_reader.h"
 #include "vndf/support/text.h"
 
-namespace vndf::precompute {
+namespace vndf::distributions {
 namespace {
 
 constexpr std::size_t kFewestSamples = 4, kMostSamples = 1u << 20;
@@ -46,7 +46,8 @@ class Reader {
     for (const Columns& columns : kColumns)
       if (fields.size() == 2 && fields[0] == columns.first && fields[1] == columns.second)
         return columns;
-    csv_.fail_in_line("the header " + quoted(csv_.line()) + " is not known; " + accepted());
+    csv_.fail_in_line("the header " + support::quoted(csv_.line()) + " is not known; " +
+                      accepted());
   }
 
   static std::string accepted() {
@@ -85,7 +86,7 @@ class Reader {
     return place >= 0 && place * columns_.angle_unit < std::numbers::pi / 2;
   }
 
-  CsvReader csv_;
+  support::CsvReader csv_;
   Columns columns_{};
   std::optional<double> last_;
   RadialProfile profile_;
@@ -98,8 +99,8 @@ RadialProfile read_profile_csv(std::istream& stream, const std::string& name) {
 }
 
 RadialProfile read_profile_csv(const std::filesystem::path& path) {
-  std::ifstream stream = open_csv(path);
+  std::ifstream stream = support::open_csv(path);
   return read_profile_csv(stream, path.string());
 }
 
-}  // namespace vndf::precompute
+}  // namespace vndf::distributions

@@ -14,7 +14,7 @@
 
 #include "vndf/distributions/measured_profile.h"
 
-namespace vndf::precompute {
+namespace vndf::distributions {
 
 /// Reads a profile. Throws std::runtime_error, naming the file, the line and the rule that it
 /// breaks.
@@ -23,4 +23,4 @@ RadialProfile read_profile_csv(const std::filesystem::path& path);
 /// The same from a stream; `name` stands for the file in messages.
 RadialProfile read_profile_csv(std::istream& stream, const std::string& name);
 
-}  // namespace vndf::precompute
+}  // namespace vndf::distributions

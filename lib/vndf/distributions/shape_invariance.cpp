@@ -10,7 +10,7 @@
 
 #include "vndf/support/text.h"
 
-namespace vndf::precompute {
+namespace vndf::distributions {
 namespace {
 
 constexpr std::array kAlphas = {0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 0.9};
@@ -37,14 +37,15 @@ Profile mass_profile(const Ndf& ndf, double alpha) {
     const double r = radius(i), slope = alpha * r, square = 1 + slope * slope;
     const double density = ndf(std::atan(slope), alpha);
     if (!(density >= 0) || !std::isfinite(density))
-      throw std::domain_error("D is " + number_text(density) +
-                              " at theta = " + number_text(std::atan(slope)) +
-                              ", alpha = " + number_text(alpha) + "; it must be finite and >= 0");
+      throw std::domain_error("D is " + support::number_text(density) +
+                              " at theta = " + support::number_text(std::atan(slope)) +
+                              ", alpha = " + support::number_text(alpha) +
+                              "; it must be finite and >= 0");
     profile[i] = r * r * density / square / square;
     sum += profile[i];
   }
   if (!(sum > 0))
-    throw std::domain_error("D is zero at every theta for alpha = " + number_text(alpha));
+    throw std::domain_error("D is zero at every theta for alpha = " + support::number_text(alpha));
   for (double& mass : profile) mass *= kRadii / (2 * kLogRange * sum);
   return profile;
 }
@@ -72,11 +73,12 @@ void require_shape_invariant(const Ndf& ndf, const std::string& name) {
   const ShapeInvariance found = measure_shape_invariance(ndf);
   if (found.violation <= kShapeInvariant) return;
   throw std::domain_error(
-      "'" + name + "' is not shape-invariant: at a slope of " + rounded_text(found.r) +
-      " alpha, its normalised densities for alpha = " + number_text(found.alpha) + " and " +
-      number_text(found.reference_alpha) + " differ by " + rounded_text(found.violation) +
+      "'" + name + "' is not shape-invariant: at a slope of " + support::rounded_text(found.r) +
+      " alpha, its normalised densities for alpha = " + support::number_text(found.alpha) +
+      " and " + support::number_text(found.reference_alpha) + " differ by " +
+      support::rounded_text(found.violation) +
       " of the larger, so that one table cannot serve every roughness; "
       "--frozen-at ALPHA takes the surface of one alpha as the shape");
 }
 
-}  // namespace vndf::precompute
+}  // namespace vndf::distributions

@@ -7,7 +7,7 @@
 #include <functional>
 #include <string>
 
-namespace vndf::precompute {
+namespace vndf::distributions {
 
 /// D of an angle from 0 to pi / 2 and a roughness. Any scale.
 using Ndf = std::function<double(double theta, double alpha)>;
@@ -33,4 +33,4 @@ ShapeInvariance measure_shape_invariance(const Ndf& ndf);
 /// message.
 void require_shape_invariant(const Ndf& ndf, const std::string& name);
 
-}  // namespace vndf::precompute
+}  // namespace vndf::distributions

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace vndf::precompute {
+namespace vndf::distributions {
 
 /// Density P, upper tail Q and partial first moment M of one slope component (slope_integrals.h).
 struct Marginals {
@@ -41,4 +41,4 @@ class SlopeDistribution {
   virtual std::optional<Marginals> marginals(double /*x*/) const { return {}; }
 };
 
-}  // namespace vndf::precompute
+}  // namespace vndf::distributions

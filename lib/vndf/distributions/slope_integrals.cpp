@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace vndf::precompute {
+namespace vndf::distributions {
 namespace {
 
 constexpr char kDoesNotConverge[] =
@@ -200,4 +200,4 @@ MarginalEstimates marginals(const SlopeDistribution& d, double x) {
   return {marginal_density(d, x), upper_tail(d, x), partial_moment(d, x)};
 }
 
-}  // namespace vndf::precompute
+}  // namespace vndf::distributions

@@ -13,7 +13,7 @@
 
 #include "vndf/distributions/slope_distribution.h"
 
-namespace vndf::precompute {
+namespace vndf::distributions {
 
 /// An approximation with the quadrature's own estimate of its absolute error.
 struct Estimate {
@@ -43,4 +43,4 @@ struct MarginalEstimates {
 /// P, Q and M at a slope >= 0: as the distribution knows them, or else by quadrature.
 MarginalEstimates marginals(const SlopeDistribution& d, double x);
 
-}  // namespace vndf::precompute
+}  // namespace vndf::distributions

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace vndf::precompute {
+namespace vndf::distributions {
 namespace {
 
 using Slopes = std::span<const Vec2<double>>;
@@ -294,4 +294,4 @@ SlopeMapEstimate estimate_slope_map(Slopes slopes, const SlopeMapOptions& option
   return {in_mean_slopes(estimate), statistics};
 }
 
-}  // namespace vndf::precompute
+}  // namespace vndf::distributions

@@ -18,7 +18,7 @@
 #include "vndf/distributions/measured_profile.h"
 #include "vndf/vec.h"
 
-namespace vndf::precompute {
+namespace vndf::distributions {
 
 /// Fewest texels of a map.
 inline constexpr std::size_t kFewestTexels = 1000;
@@ -69,4 +69,4 @@ struct SlopeMapEstimate {
 SlopeMapEstimate estimate_slope_map(std::span<const Vec2<double>> slopes,
                                     const SlopeMapOptions& options = {});
 
-}  // namespace vndf::precompute
+}  // namespace vndf::distributions

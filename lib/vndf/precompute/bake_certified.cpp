@@ -32,14 +32,14 @@ Certificate joined(Certificate c, const KernelHeader& header) {
 
 KernelTables bake_certified(const UnitSlopes& slopes, const SlopeTables& pair,
                             const BakeOptions& options, const KernelText& text,
-                            const Workers& workers) {
+                            const support::Workers& workers) {
   const KernelTables baked = bake(pair, options);
   return baked.with_certificate(measure_certificate(slopes, baked.kernel(), workers), true)
       .with_text(text);
 }
 
-KernelTables bake_certified(const SlopeDistribution& distribution, const SlopeTables& pair,
-                            const BakeOptions& options) {
+KernelTables bake_certified(const distributions::SlopeDistribution& distribution,
+                            const SlopeTables& pair, const BakeOptions& options) {
   KernelText text;
   text.distribution = distribution.name();
   return bake_certified(UnitSlopes(distribution, {}), pair, options, text, {});

@@ -2,7 +2,7 @@
 // exact it is itself and not only how near to the pair.
 #pragma once
 
-#include "vndf/bake/bake.h"
+#include "vndf/baking/bake.h"
 #include "vndf/precompute/unit_slopes.h"
 #include "vndf/support/parallel.h"
 
@@ -12,11 +12,11 @@ namespace vndf::precompute {
 /// that is measured against them. Throws as bake() does.
 KernelTables bake_certified(const UnitSlopes& slopes, const SlopeTables& pair,
                             const BakeOptions& options, const KernelText& text,
-                            const Workers& workers);
+                            const support::Workers& workers);
 
 /// The same of the distribution itself, which is integrated again.
-KernelTables bake_certified(const SlopeDistribution& distribution, const SlopeTables& pair,
-                            const BakeOptions& options = {});
+KernelTables bake_certified(const distributions::SlopeDistribution& distribution,
+                            const SlopeTables& pair, const BakeOptions& options = {});
 
 /// The same where the law of `pair` cannot be had again: the certificate, marked as not measured,
 /// is that of the pair with the differences from it added. Of the density and of the tails these

@@ -23,9 +23,9 @@ template <class F>
 double bracketed_newton(F f, Bracket bracket, double guess) {
   const auto negative = [&f](double x) {
     const ValueAndSlope at = f(x);
-    return ValueAndDerivative{-at.value, -at.slope};
+    return support::ValueAndDerivative{-at.value, -at.slope};
   };
-  return increasing_root(
+  return support::increasing_root(
       negative, bracket.low, bracket.high, guess,
       {.relative = 1e-8, .absolute = 4 * std::numeric_limits<double>::epsilon()});
 }

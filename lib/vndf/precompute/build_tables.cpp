@@ -45,7 +45,7 @@ double end_of(F f) {
 
 /// Samples log f(slope) to the end of f.
 template <class F>
-LogCurve<double> curve_of(const UnitSlopes& slopes, F f, const Workers& workers) {
+LogCurve<double> curve_of(const UnitSlopes& slopes, F f, const support::Workers& workers) {
   const double end = end_of(f);
   const bool open = std::isinf(slopes.support());
   const auto ends = segment_ends(slopes.distribution(), slopes.mean_slope(), end);
@@ -53,7 +53,7 @@ LogCurve<double> curve_of(const UnitSlopes& slopes, F f, const Workers& workers)
                     {.nodes = kCurveNodes, .open = open, .cusp = true}, workers);
 }
 
-LogCurve<double> ndf_curve(const UnitSlopes& slopes, const Workers& workers) {
+LogCurve<double> ndf_curve(const UnitSlopes& slopes, const support::Workers& workers) {
   // A pole is approached, not reached: to the middle of the first cell, for cubics overshoot the
   // logarithm of a pole, the more the nearer they begin.
   constexpr double kCentre = kPoleSegment / (2.0 * kCurveNodes * kCurveNodes);
@@ -64,7 +64,7 @@ LogCurve<double> ndf_curve(const UnitSlopes& slopes, const Workers& workers) {
   return curve_of(slopes, ndf, workers);
 }
 
-LogCurve<double> backfacing_curve(const UnitSlopes& slopes, const Workers& workers) {
+LogCurve<double> backfacing_curve(const UnitSlopes& slopes, const support::Workers& workers) {
   return curve_of(
       slopes, [&](double c) { return slopes.backfacing(c).value; }, workers);
 }
@@ -77,8 +77,8 @@ void require_size(const TableLayout& layout) {
 }
 
 /// Workers that report rows as a part of the work of both tables, the first `before` rows done.
-Workers reporting(const BuildOptions& options, std::size_t before) {
-  Workers workers{options.threads};
+support::Workers reporting(const BuildOptions& options, std::size_t before) {
+  support::Workers workers{options.threads};
   if (options.progress)
     workers.progress = [&options, before](std::size_t done) {
       const double rows = 2 * static_cast<double>(options.layout.rows);
@@ -88,7 +88,7 @@ Workers reporting(const BuildOptions& options, std::size_t before) {
 }
 
 void set_marginal(SlopeTables& tables, const UnitSlopes& slopes, const TableLayout& layout,
-                  const Workers& workers) {
+                  const support::Workers& workers) {
   tables.marginal_map = marginal_map(slopes);
   const MonotoneMap map(tables.marginal_map);
   PlacedTable placed = fill_table(marginal_rows(slopes, map), layout, workers);
@@ -97,7 +97,7 @@ void set_marginal(SlopeTables& tables, const UnitSlopes& slopes, const TableLayo
 }
 
 void set_conditional(SlopeTables& tables, const UnitSlopes& slopes, const TableLayout& layout,
-                     const Workers& workers) {
+                     const support::Workers& workers) {
   const auto [scale, factorises] = conditional_shape(slopes);
   const RowSource source = conditional_rows(slopes, scale);
   tables.conditional_constant = scale.constant;
@@ -110,9 +110,10 @@ void set_conditional(SlopeTables& tables, const UnitSlopes& slopes, const TableL
 
 }  // namespace
 
-BuiltTables build_tables(const SlopeDistribution& distribution, const BuildOptions& options) {
+BuiltTables build_tables(const distributions::SlopeDistribution& distribution,
+                         const BuildOptions& options) {
   require_size(options.layout);
-  const Workers workers{options.threads};
+  const support::Workers workers{options.threads};
   const UnitSlopes slopes(distribution, workers);
   SlopeTables tables{.distribution = distribution.name(),
                      .mean_slope = slopes.mean_slope(),

@@ -32,6 +32,7 @@ struct BuiltTables {
 /// Tables of `distribution`, with their certificate. Throws std::invalid_argument for sizes outside
 /// their range, std::domain_error (naming the distribution and the reason) where p22 is negative or
 /// not a number, cannot be normalised or has an infinite mean slope.
-BuiltTables build_tables(const SlopeDistribution& distribution, const BuildOptions& options = {});
+BuiltTables build_tables(const distributions::SlopeDistribution& distribution,
+                         const BuildOptions& options = {});
 
 }  // namespace vndf::precompute

@@ -29,7 +29,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Over [-1, 1]: Boost 1.74 compares the error of that interval with a tolerance for the given one.
 template <class F>
-Estimate integrate_panel(F f, double low, double high) {
+distributions::Estimate integrate_panel(F f, double low, double high) {
   const double middle = (low + high) / 2, half = (high - low) / 2;
   double error = 0;
   const double value = boost::math::quadrature::gauss_kronrod<double, 15>::integrate(
@@ -63,7 +63,7 @@ ConditionalSlopes::ConditionalSlopes(const UnitSlopes& slopes, double x,
   head_ = {0};
   std::vector<double> pieces;
   for (std::size_t k = 1; k < edges.size(); ++k) {
-    const Estimate piece = integrate_panel(integrand, edges[k - 1], edges[k]);
+    const distributions::Estimate piece = integrate_panel(integrand, edges[k - 1], edges[k]);
     pieces.push_back(piece.value);
     error_ += piece.error;
     edge_.push_back(edges[k]);

@@ -49,12 +49,13 @@ QuantileTable table_of(const Rows& rows, const TableLayout& layout) {
 
 }  // namespace
 
-PlacedTable fill_table(const RowSource& source, const TableLayout& layout, const Workers& workers) {
+PlacedTable fill_table(const RowSource& source, const TableLayout& layout,
+                       const support::Workers& workers) {
   const auto knots = place_rows(source, layout.rows, {workers.threads});
   const RowAxis axis(knots);
   const auto u = columns_of(source, layout.columns);
   Rows rows(layout.rows);
-  parallel_for(rows.size(), workers, [&](std::size_t i) {
+  support::parallel_for(rows.size(), workers, [&](std::size_t i) {
     rows[i] = source.row(axis.base(coordinate(i, layout.rows)), u);
   });
   return {table_of(rows, layout), knots};

@@ -39,7 +39,8 @@ struct PlacedTable {
 
 /// The table of `source`, its rows placed where they err least. Rows where no sample lands repeat
 /// the row before them.
-PlacedTable fill_table(const RowSource& source, const TableLayout& layout, const Workers& workers);
+PlacedTable fill_table(const RowSource& source, const TableLayout& layout,
+                       const support::Workers& workers);
 
 /// The table of a source whose rows are all the same: its row at base 0 repeated.
 QuantileTable fill_with_one_row(const RowSource& source, const TableLayout& layout);

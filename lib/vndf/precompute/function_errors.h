@@ -24,18 +24,19 @@ class FunctionErrors {
       : slopes_(slopes), sampler_(sampler) {}
 
   /// Sets the figures of `certificate` that are of functions.
-  void measure(Certificate& certificate, const Workers& workers) const {
+  void measure(Certificate& certificate, const support::Workers& workers) const {
     const double farthest = farthest_slope();
     certificate.max_d_error = largest(workers, [&](std::size_t k) {
-      const double root = golden(k);  // squared, the radii crowd where D may have a pole
+      const double root = support::golden(k);  // squared, the radii crowd where D may have a pole
       return d_error(std::sinh(farthest * root * root));
     });
-    const auto theta = [](std::size_t k) { return std::numbers::pi / 2 * golden(k); };
+    const auto theta = [](std::size_t k) { return std::numbers::pi / 2 * support::golden(k); };
     certificate.max_lambda_error =
         largest(workers, [&](std::size_t k) { return lambda_error(theta(k)); });
     certificate.max_pdf_error = largest(workers, [&](std::size_t k) {
-      const double u2 = golden(k * 7, 0.125);
-      return pdf_error(theta(k), static_cast<float>(golden(k * 3)), static_cast<float>(u2));
+      const double u2 = support::golden(k * 7, 0.125);
+      return pdf_error(theta(k), static_cast<float>(support::golden(k * 3)),
+                       static_cast<float>(u2));
     });
   }
 
@@ -89,9 +90,10 @@ class FunctionErrors {
   }
 
   template <class F>
-  static double largest(const Workers& workers, F error) {
+  static double largest(const support::Workers& workers, F error) {
     std::vector<double> errors(kPoints);
-    parallel_for(kPoints, workers, [&](std::size_t i) { errors[i] = error_or_largest(error(i)); });
+    support::parallel_for(kPoints, workers,
+                          [&](std::size_t i) { errors[i] = error_or_largest(error(i)); });
     return *std::max_element(errors.begin(), errors.end());
   }
 

@@ -13,9 +13,9 @@ constexpr std::size_t kNodes = 8192;
 constexpr double kFarthestAsinh = 40;
 constexpr double kSmallestDensity = 1e-290;
 
-class Interpolated final : public SlopeDistribution {
+class Interpolated final : public distributions::SlopeDistribution {
  public:
-  Interpolated(const SlopeDistribution& d, double scale, LogCurve<double> curve)
+  Interpolated(const distributions::SlopeDistribution& d, double scale, LogCurve<double> curve)
       : exact_(d), scale_(scale), curve_(std::move(curve)) {}
   std::string name() const override { return exact_.name(); }
   double p22(double r) const override {
@@ -23,18 +23,20 @@ class Interpolated final : public SlopeDistribution {
   }
   std::vector<double> breaks() const override { return exact_.breaks(); }
   double support() const override { return exact_.support(); }
-  std::optional<Marginals> marginals(double x) const override { return exact_.marginals(x); }
+  std::optional<distributions::Marginals> marginals(double x) const override {
+    return exact_.marginals(x);
+  }
 
  private:
-  const SlopeDistribution& exact_;
+  const distributions::SlopeDistribution& exact_;
   double scale_;
   LogCurve<double> curve_;
 };
 
 }  // namespace
 
-std::unique_ptr<SlopeDistribution> interpolated_density(const SlopeDistribution& d, double scale,
-                                                        const Workers& workers) {
+std::unique_ptr<distributions::SlopeDistribution> interpolated_density(
+    const distributions::SlopeDistribution& d, double scale, const support::Workers& workers) {
   const auto density = [&](double a) { return d.p22(scale * std::sinh(a)); };
   double end = kFarthestAsinh;
   while (!(density(end) > kSmallestDensity) && end > 1e-3) end *= 0.98;

@@ -11,7 +11,7 @@ namespace vndf::precompute {
 
 /// `d` with an interpolated p22, relative error 1e-11 where p22 is smooth. `scale` is a typical
 /// slope. `d` must outlive the result.
-std::unique_ptr<SlopeDistribution> interpolated_density(const SlopeDistribution& d, double scale,
-                                                        const Workers& workers);
+std::unique_ptr<distributions::SlopeDistribution> interpolated_density(
+    const distributions::SlopeDistribution& d, double scale, const support::Workers& workers);
 
 }  // namespace vndf::precompute

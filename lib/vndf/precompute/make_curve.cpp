@@ -46,13 +46,13 @@ bool is_zero(const Segment& s) {
 
 LogCurve<double> make_curve(const std::function<double(double a)>& log_f,
                             const std::vector<double>& ends, const CurveOptions& options,
-                            const Workers& workers) {
+                            const support::Workers& workers) {
   std::vector<Segment> segments;
   for (std::size_t i = 0; i + 1 < ends.size(); ++i)
     segments.push_back({ends[i], ends[i + 1], grading_of(i, ends.size() - 1, options),
                         std::vector<CubicNode<double>>(options.nodes)});
   const double step = 1 / static_cast<double>(options.nodes - 1);
-  parallel_for(segments.size() * options.nodes, {workers.threads}, [&](std::size_t piece) {
+  support::parallel_for(segments.size() * options.nodes, {workers.threads}, [&](std::size_t piece) {
     Segment& s = segments[piece / options.nodes];
     const std::size_t k = piece % options.nodes;
     s.nodes[k].value = value_at(log_f, s, step * static_cast<double>(k));

@@ -24,6 +24,6 @@ struct CurveOptions {
 /// relative error is some n^-4. Where f is 0 or singular at an end, the value stays finite.
 LogCurve<double> make_curve(const std::function<double(double a)>& log_f,
                             const std::vector<double>& ends, const CurveOptions& options,
-                            const Workers& workers);
+                            const support::Workers& workers);
 
 }  // namespace vndf::precompute

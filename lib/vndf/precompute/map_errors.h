@@ -65,7 +65,7 @@ inline void keep_farthest(double& ratio, double candidate) {
 inline std::vector<double> off_grid_rows(std::size_t rows, std::size_t count) {
   constexpr std::size_t kEdgeRows = 12;
   std::vector<double> places;
-  for (std::size_t k = 0; k < count; ++k) places.push_back(golden(k));
+  for (std::size_t k = 0; k < count; ++k) places.push_back(support::golden(k));
   for (std::size_t k = 0; k < std::min(kEdgeRows, rows - 1); ++k) {
     const double middle = (static_cast<double>(k) + 0.5) / static_cast<double>(rows - 1);
     places.push_back(middle);

@@ -114,7 +114,7 @@ struct Judge {
   }
 };
 
-TableErrors judge_marginal(const Judge& judge, const Workers& workers) {
+TableErrors judge_marginal(const Judge& judge, const support::Workers& workers) {
   const RowAxis rows(judge.sampler.tables().marginal_rows);
   std::vector<Judge::Direction> directions;
   for (const double row : off_grid_rows(judge.sampler.tables().marginal.rows(), kJudgedRows))
@@ -125,7 +125,7 @@ TableErrors judge_marginal(const Judge& judge, const Workers& workers) {
                     [&](std::size_t i) { return judge.marginal_row(directions[i], i); });
 }
 
-TableErrors judge_conditional(const Judge& judge, const Workers& workers) {
+TableErrors judge_conditional(const Judge& judge, const support::Workers& workers) {
   const SlopeTables& tables = judge.sampler.tables();
   const RowAxis rows(tables.conditional_rows);
   std::vector<double> reached;
@@ -142,7 +142,7 @@ TableErrors judge_conditional(const Judge& judge, const Workers& workers) {
 
 Certificate measure_certificate(const UnitSlopes& slopes,
                                 const std::shared_ptr<const SlopeTables>& tables,
-                                const Workers& workers) {
+                                const support::Workers& workers) {
   const Judge judge{slopes, TabulatedSampler<float>(tables), TabulatedSampler<double>(tables)};
   Certificate certificate;
   certificate.marginal = judge_marginal(judge, workers);

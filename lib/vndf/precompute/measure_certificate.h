@@ -18,11 +18,11 @@ namespace vndf::precompute {
 /// The certificate of `tables`, which were made from `slopes` or claim to be of the same law.
 Certificate measure_certificate(const UnitSlopes& slopes,
                                 const std::shared_ptr<const SlopeTables>& tables,
-                                const Workers& workers);
+                                const support::Workers& workers);
 
 /// The same of baked tables, whose u ends at 2^-25 and 1 - 2^-24. The slopes x at which slope y is
 /// judged are such as samples land on.
 Certificate measure_certificate(const UnitSlopes& slopes, const Kernel& kernel,
-                                const Workers& workers);
+                                const support::Workers& workers);
 
 }  // namespace vndf::precompute

@@ -275,7 +275,7 @@ struct Judge {
   }
 };
 
-TableErrors judge_marginal(const Judge& judge, const Workers& workers) {
+TableErrors judge_marginal(const Judge& judge, const support::Workers& workers) {
   std::vector<Judge::Direction> directions;
   for (const double row : off_grid_rows(kNominalSize, kJudgedRows))
     directions.push_back(judge.direction(marginal_base_inverse(row)));
@@ -286,7 +286,7 @@ TableErrors judge_marginal(const Judge& judge, const Workers& workers) {
                     [&](std::size_t i) { return judge.marginal_row(directions[i], i); });
 }
 
-TableErrors judge_conditional(const Judge& judge, const Workers& workers) {
+TableErrors judge_conditional(const Judge& judge, const support::Workers& workers) {
   std::vector<SlopePlace> places;
   double side = 1;
   for (const double row : off_grid_rows(kNominalSize, kJudgedRows)) {
@@ -305,7 +305,7 @@ TableErrors judge_conditional(const Judge& judge, const Workers& workers) {
 }  // namespace
 
 Certificate measure_certificate(const UnitSlopes& slopes, const Kernel& kernel,
-                                const Workers& workers) {
+                                const support::Workers& workers) {
   const VndfTables& tables = kernel.tables();
   const Judge judge{slopes, tables, KernelUnits(tables, slopes.mean_slope())};
   Certificate certificate;

@@ -60,7 +60,7 @@ double middle_error(const std::vector<double>& low, const std::vector<double>& m
   return std::max(0.0, worst - kNoise);
 }
 
-std::vector<Interval> measure(const RowSource& source, const Workers& workers) {
+std::vector<Interval> measure(const RowSource& source, const support::Workers& workers) {
   std::vector<Probability<double>> u;
   for (std::size_t j = 0; j < kColumns; ++j)
     u.push_back(source.column_inverse(static_cast<double>(j) / (kColumns - 1)));
@@ -70,7 +70,8 @@ std::vector<Interval> measure(const RowSource& source, const Workers& workers) {
   const auto base = [&](std::size_t k) {
     return k % 2 == 0 ? ends[k / 2] : (ends[k / 2] + ends[k / 2 + 1]) / 2;
   };
-  parallel_for(rows.size(), workers, [&](std::size_t k) { rows[k] = source.row(base(k), u); });
+  support::parallel_for(rows.size(), workers,
+                        [&](std::size_t k) { rows[k] = source.row(base(k), u); });
   std::vector<Interval> intervals;
   for (std::size_t i = 0; i < count; ++i)
     intervals.push_back(
@@ -111,7 +112,8 @@ std::vector<RowKnot> evenly(double end) {
 
 }  // namespace
 
-std::vector<RowKnot> place_rows(const RowSource& source, std::size_t rows, const Workers& workers) {
+std::vector<RowKnot> place_rows(const RowSource& source, std::size_t rows,
+                                const support::Workers& workers) {
   const auto intervals = smoothed(measure(source, {workers.threads}));
   double total = 0;
   for (const Interval& i : intervals) total += std::sqrt(i.error);

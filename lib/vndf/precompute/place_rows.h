@@ -12,6 +12,7 @@
 namespace vndf::precompute {
 
 /// Knots for `rows` rows; none where equidistant rows would err less than three times as much.
-std::vector<RowKnot> place_rows(const RowSource& source, std::size_t rows, const Workers& workers);
+std::vector<RowKnot> place_rows(const RowSource& source, std::size_t rows,
+                                const support::Workers& workers);
 
 }  // namespace vndf::precompute

@@ -33,7 +33,8 @@ void keep_farthest_of_each(TailRatios& ratios, const TailRatios& candidate) {
 /// The places in (0, 1) at which one row is judged, beyond those uniform in u.
 std::vector<Probability<double>> hard_probabilities(const RowPlaces& row, double shift) {
   std::vector<Probability<double>> places;
-  for (std::size_t k = 0; k < kColumns; ++k) places.push_back(row.column_inverse(golden(k, shift)));
+  for (std::size_t k = 0; k < kColumns; ++k)
+    places.push_back(row.column_inverse(support::golden(k, shift)));
   for (std::size_t k = 0; k < 4 * kEdgeColumns; ++k) {
     const double t = (static_cast<double>(k) / 4 + 0.125) / static_cast<double>(row.columns - 1);
     places.push_back(row.column_inverse(t));
@@ -84,19 +85,19 @@ TableErrors judge_row(const RowMap& map, const RowPlaces& places, std::size_t in
           std::max(errors.max_density_error, error_or_largest(density_error(smooth, exact_u)));
     return error;
   };
-  const double shift = golden(index, 0.25);
+  const double shift = support::golden(index, 0.25);
   for (std::size_t k = 0; k < kUniform; ++k)
-    errors.mean_u_error += judge(from_tail(golden(k, shift))) / kUniform;
+    errors.mean_u_error += judge(from_tail(support::golden(k, shift))) / kUniform;
   for (const auto& u : hard_probabilities(places, shift)) judge(u);
   errors.lower = tail_ratios([&](double e) { return map.tail_cdf(from_tail(e)).u; });
   errors.upper = tail_ratios([&](double e) { return map.tail_cdf(from_complement(e)).complement; });
   return errors;
 }
 
-TableErrors judge_rows(std::size_t count, const Workers& workers,
+TableErrors judge_rows(std::size_t count, const support::Workers& workers,
                        const std::function<TableErrors(std::size_t)>& row) {
   std::vector<TableErrors> judged(count);
-  parallel_for(count, workers, [&](std::size_t i) { judged[i] = row(i); });
+  support::parallel_for(count, workers, [&](std::size_t i) { judged[i] = row(i); });
   return combine(judged);
 }
 

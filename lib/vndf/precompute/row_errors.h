@@ -51,7 +51,7 @@ Probability<double> conditional_u2(double t);
 TableErrors judge_row(const RowMap& map, const RowPlaces& places, std::size_t index);
 
 /// Those of a table of `count` rows, of which `row` gives the errors of each.
-TableErrors judge_rows(std::size_t count, const Workers& workers,
+TableErrors judge_rows(std::size_t count, const support::Workers& workers,
                        const std::function<TableErrors(std::size_t)>& row);
 
 /// Farthest ratio of the mass of a tail that is told from others.

@@ -46,7 +46,7 @@ bool resolved(const std::function<double(double)>& f, double end, double h) {
   return true;
 }
 
-double relative_error(const Estimate& e) {
+double relative_error(const distributions::Estimate& e) {
   return e.value > 0 ? e.error / e.value : 0;
 }
 
@@ -57,14 +57,15 @@ void require_range(const UnitSlopes& slopes) {
   const double share = 2 * slopes.m(kFarthest);
   if (share <= kLargestShare) return;
   throw std::domain_error("distribution '" + slopes.distribution().name() +
-                          "': at grazing incidence a share of " + rounded_text(share) +
+                          "': at grazing incidence a share of " + support::rounded_text(share) +
                           " of the visible slopes is above 5e303, the end of double precision; the "
                           "tail of p22 must fall faster than r^-3.03");
 }
 
 }  // namespace
 
-std::vector<double> segment_ends(const SlopeDistribution& d, double mean_slope, double end) {
+std::vector<double> segment_ends(const distributions::SlopeDistribution& d, double mean_slope,
+                                 double end) {
   std::vector<double> ends{0};
   if (std::isinf(d.p22(0))) ends.push_back(kPoleSegment);
   for (const double r : d.breaks()) ends.push_back(std::asinh(r / mean_slope));
@@ -72,10 +73,10 @@ std::vector<double> segment_ends(const SlopeDistribution& d, double mean_slope, 
   return ends;
 }
 
-UnitSlopes::UnitSlopes(const SlopeDistribution& d, const Workers& workers)
+UnitSlopes::UnitSlopes(const distributions::SlopeDistribution& d, const support::Workers& workers)
     : distribution_(&d),
-      mass_(slope_mass(d).value),
-      mean_slope_(vndf::precompute::mean_slope(d, mass_).value) {
+      mass_(distributions::slope_mass(d).value),
+      mean_slope_(vndf::distributions::mean_slope(d, mass_).value) {
   if (d.costly()) {
     interpolated_ = interpolated_density(d, mean_slope_, workers);
     distribution_ = interpolated_.get();
@@ -110,31 +111,33 @@ double UnitSlopes::tail_exponent() const {
   return exponent < kLargestExponent ? exponent : std::numeric_limits<double>::infinity();
 }
 
-Estimate UnitSlopes::density(double x) const {
+distributions::Estimate UnitSlopes::density(double x) const {
   const double at = x * mean_slope_;
   const auto known = distribution_->marginals(at);
-  const Estimate p = known ? Estimate{known->p, 0} : marginal_density(*distribution_, at);
+  const distributions::Estimate p =
+      known ? distributions::Estimate{known->p, 0} : marginal_density(*distribution_, at);
   const double scale = mean_slope_ / mass_;
   return {p.value * scale, p.error * scale};
 }
 
-Estimate UnitSlopes::upper_tail(double x) const {
+distributions::Estimate UnitSlopes::upper_tail(double x) const {
   const double at = x * mean_slope_;
   const auto known = distribution_->marginals(at);
-  const Estimate q =
-      known ? Estimate{known->q, 0} : vndf::precompute::upper_tail(*distribution_, at);
+  const distributions::Estimate q = known ? distributions::Estimate{known->q, 0}
+                                          : vndf::distributions::upper_tail(*distribution_, at);
   return {q.value / mass_, q.error / mass_};
 }
 
-Estimate UnitSlopes::moment(double x) const {
+distributions::Estimate UnitSlopes::moment(double x) const {
   const double at = x * mean_slope_;
   const auto known = distribution_->marginals(at);
-  const Estimate m = known ? Estimate{known->m, 0} : partial_moment(*distribution_, at);
+  const distributions::Estimate m =
+      known ? distributions::Estimate{known->m, 0} : partial_moment(*distribution_, at);
   const double scale = 1 / (mass_ * mean_slope_);
   return {m.value * scale, m.error * scale};
 }
 
-Estimate UnitSlopes::backfacing(double c) const {
+distributions::Estimate UnitSlopes::backfacing(double c) const {
   const double scale = 1 / (mass_ * mean_slope_);
   const double at = c * mean_slope_;
   // M - c Q where both are known and the difference keeps its digits, as it does in a power tail.
@@ -143,7 +146,7 @@ Estimate UnitSlopes::backfacing(double c) const {
     const double difference = known->m - at * known->q;
     if (difference > kKept * known->m) return {difference * scale, 0};
   }
-  const Estimate b = vndf::precompute::backfacing(*distribution_, at);
+  const distributions::Estimate b = distributions::backfacing(*distribution_, at);
   return {b.value * scale, b.error * scale};
 }
 

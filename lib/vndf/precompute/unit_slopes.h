@@ -32,15 +32,16 @@ inline constexpr double kPoleSegment = 0.01;
 
 /// Ends of the segments of the curves of a distribution in asinh(slope / mean_slope): 0, that of a
 /// pole there, its breaks, and `end` unless it is bounded.
-std::vector<double> segment_ends(const SlopeDistribution& d, double mean_slope, double end);
+std::vector<double> segment_ends(const distributions::SlopeDistribution& d, double mean_slope,
+                                 double end);
 
 class UnitSlopes {
  public:
   /// Integrates `d`, which must outlive this object. Throws std::domain_error as slope_mass() and
   /// mean_slope() do, and where slopes that matter are above 5e303.
-  UnitSlopes(const SlopeDistribution& d, const Workers& workers);
+  UnitSlopes(const distributions::SlopeDistribution& d, const support::Workers& workers);
 
-  const SlopeDistribution& distribution() const { return *distribution_; }
+  const distributions::SlopeDistribution& distribution() const { return *distribution_; }
   /// int p22 over the slope plane, as given: the factor by which the density was divided.
   double mass() const { return mass_; }
   /// mu = E|X| of the distribution as given.
@@ -71,14 +72,15 @@ class UnitSlopes {
 
   /// P, Q, M and c Lambda(c) at slopes >= 0, as the distribution knows them or straight from their
   /// integrals.
-  Estimate density(double x) const;
-  Estimate upper_tail(double x) const;
-  Estimate moment(double x) const;
-  Estimate backfacing(double c) const;
+  distributions::Estimate density(double x) const;
+  distributions::Estimate upper_tail(double x) const;
+  distributions::Estimate moment(double x) const;
+  distributions::Estimate backfacing(double c) const;
 
  private:
-  std::unique_ptr<SlopeDistribution> interpolated_;  // in place of one that is costly
-  const SlopeDistribution* distribution_;
+  std::unique_ptr<distributions::SlopeDistribution>
+      interpolated_;  // in place of one that is costly
+  const distributions::SlopeDistribution* distribution_;
   double mass_, mean_slope_, quadrature_error_ = 0;
   LogCurve<double> log_q_, log_m_;
 };

@@ -42,16 +42,17 @@ class VisibleBeckmannSlopes {
     const double guess = u.u < 0.5 ? -erfc_inverse(2 * u.u) : erfc_inverse(2 * u.complement);
     const double high = std::min(cotangent_, kFarthest);
     if (u.u <= 0.5)
-      return increasing_root(
+      return support::increasing_root(
           [&](double x) {
             const double mass = lower_mass(x);
-            return ValueAndDerivative{std::log(mass / (u.u * norm_)), density(x) / mass};
+            return support::ValueAndDerivative{std::log(mass / (u.u * norm_)), density(x) / mass};
           },
           -kFarthest, high, std::min(guess, high));
-    return increasing_root(
+    return support::increasing_root(
         [&](double x) {
           const double mass = upper_mass(x);
-          return ValueAndDerivative{std::log(u.complement * norm_ / mass), density(x) / mass};
+          return support::ValueAndDerivative{std::log(u.complement * norm_ / mass),
+                                             density(x) / mass};
         },
         -kFarthest, high, guess);
   }

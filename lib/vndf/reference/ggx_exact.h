@@ -57,9 +57,9 @@ inline double conditional_ggx_middle(double v) {
   if (v == 0) return 0;
   const double mean = std::numbers::pi * v;
   const auto f = [mean](double gamma) {
-    return ValueAndDerivative{gamma + std::sin(gamma) - mean, 1 + std::cos(gamma)};
+    return support::ValueAndDerivative{gamma + std::sin(gamma) - mean, 1 + std::cos(gamma)};
   };
-  return std::tan(increasing_root(f, 0, 2, mean / 2) / 2);
+  return std::tan(support::increasing_root(f, 0, 2, mean / 2) / 2);
 }
 
 /// tan(beta / 2) = 1 / z with beta - sin(beta) = pi q, 0 <= q <= 1/2. Maximum error: 8 roundings,
@@ -69,9 +69,9 @@ inline double conditional_ggx_tail(double q) {
   const double mean = std::numbers::pi * q;
   const auto f = [mean](double beta) {
     const double sine = std::sin(beta / 2);
-    return ValueAndDerivative{angle_minus_sine(beta) - mean, 2 * sine * sine};
+    return support::ValueAndDerivative{angle_minus_sine(beta) - mean, 2 * sine * sine};
   };
-  return std::tan(increasing_root(f, 0, std::numbers::pi, std::cbrt(6 * mean)) / 2);
+  return std::tan(support::increasing_root(f, 0, std::numbers::pi, std::cbrt(6 * mean)) / 2);
 }
 
 struct GgxExactMethod {

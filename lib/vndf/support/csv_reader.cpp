@@ -8,7 +8,7 @@
 
 #include "vndf/support/text.h"
 
-namespace vndf::precompute {
+namespace vndf::support {
 namespace {
 
 std::string_view trimmed(std::string_view text) {
@@ -73,4 +73,4 @@ void CsvReader::fail_in_line(const std::string& rule) const {
   throw std::runtime_error(name_ + ", line " + std::to_string(line_number_) + ": " + rule);
 }
 
-}  // namespace vndf::precompute
+}  // namespace vndf::support

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace vndf::precompute {
+namespace vndf::support {
 
 /// Opens the file at `path` to be read by a CsvReader. Throws std::runtime_error, naming it, if it
 /// is no regular file or cannot be read.
@@ -44,4 +44,4 @@ class CsvReader {
   std::size_t line_number_ = 0;
 };
 
-}  // namespace vndf::precompute
+}  // namespace vndf::support

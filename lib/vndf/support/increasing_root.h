@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace vndf {
+namespace vndf::support {
 
 struct ValueAndDerivative {
   double value, derivative;
@@ -39,4 +39,4 @@ double increasing_root(F f, double low, double high, double guess, const LastSte
   return x;
 }
 
-}  // namespace vndf
+}  // namespace vndf::support

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <numbers>
 
-namespace vndf {
+namespace vndf::support {
 
 /// Point `k`, in [0, 1), of the sequence that starts at `shift`.
 inline double golden(std::size_t k, double shift = 0.5) {
@@ -14,4 +14,4 @@ inline double golden(std::size_t k, double shift = 0.5) {
   return x - std::floor(x);
 }
 
-}  // namespace vndf
+}  // namespace vndf::support

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-namespace vndf::precompute {
+namespace vndf::support {
 
 void parallel_for(std::size_t count, const Workers& workers,
                   const std::function<void(std::size_t)>& piece) {
@@ -41,4 +41,4 @@ void parallel_for(std::size_t count, const Workers& workers,
   if (failure) std::rethrow_exception(failure);
 }
 
-}  // namespace vndf::precompute
+}  // namespace vndf::support

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <functional>
 
-namespace vndf::precompute {
+namespace vndf::support {
 
 /// How much of the machine to use and whom to tell about progress.
 struct Workers {
@@ -20,4 +20,4 @@ struct Workers {
 void parallel_for(std::size_t count, const Workers& workers,
                   const std::function<void(std::size_t)>& piece);
 
-}  // namespace vndf::precompute
+}  // namespace vndf::support

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <numeric>
 
-namespace vndf::precompute {
+namespace vndf::support {
 namespace {
 
 /// Insertions, deletions and replacements that turn `a` into `b`.
@@ -74,4 +74,4 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
   return best == nullptr ? "" : "; did you mean '" + *best + "'?";
 }
 
-}  // namespace vndf::precompute
+}  // namespace vndf::support

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace vndf::precompute {
+namespace vndf::support {
 
 /// The shortest decimal text that reads back as exactly `value`.
 std::string number_text(double value);
@@ -25,4 +25,4 @@ std::string listed(const std::vector<std::string>& words);
 /// meant, else "". Starts with ';' to follow a sentence.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known);
 
-}  // namespace vndf::precompute
+}  // namespace vndf::support

@@ -12,7 +12,7 @@
 namespace vndf::validate {
 namespace {
 
-using precompute::CsvReader;
+using support::CsvReader;
 
 /// Names of the columns in the order of the header.
 struct Header {
@@ -27,7 +27,7 @@ struct Header {
   }
 };
 
-Header read_header(CsvReader& csv) {
+Header read_header(support::CsvReader& csv) {
   const std::string accepted =
       "the first line must be 'wx,wy,wz,ax,ay,u1,u2,mx,my,mz', where u1,u2 may be missing and pdf "
       "may follow";
@@ -35,7 +35,7 @@ Header read_header(CsvReader& csv) {
   for (const bool u : {true, false})
     for (const bool pdf : {false, true})
       if (csv.fields() == Header{u, pdf}.columns()) return {u, pdf};
-  csv.fail_in_line("the header " + precompute::quoted(csv.line()) + " is not known; " + accepted);
+  csv.fail_in_line("the header " + support::quoted(csv.line()) + " is not known; " + accepted);
 }
 
 /// A unit vector to kLengthSlack.
@@ -47,7 +47,7 @@ bool is_probability(double u) {
   return u >= 0 && u <= 1;
 }
 
-Record read_record(const CsvReader& csv, const Header& header) {
+Record read_record(const support::CsvReader& csv, const Header& header) {
   const auto& fields = csv.fields();
   const std::size_t columns = header.columns().size();
   if (fields.size() != columns)
@@ -85,7 +85,7 @@ Record read_record(const CsvReader& csv, const Header& header) {
 }  // namespace
 
 Records read_records(std::istream& stream, const std::string& name) {
-  CsvReader csv(stream, name);
+  support::CsvReader csv(stream, name);
   const Header header = read_header(csv);
   Records records{{}, header.u, header.pdf};
   while (csv.next_line()) records.list.push_back(read_record(csv, header));
@@ -93,7 +93,7 @@ Records read_records(std::istream& stream, const std::string& name) {
 }
 
 Records read_records(const std::filesystem::path& path) {
-  std::ifstream stream = precompute::open_csv(path);
+  std::ifstream stream = support::open_csv(path);
   return read_records(stream, path.string());
 }
 

@@ -27,7 +27,7 @@ struct JudgeOptions {
   bool stop_at_first_failure = false;
   /// Subjects of the whole run, which share its significance.
   std::size_t subjects = 1;
-  precompute::Workers workers = {};
+  support::Workers workers = {};
 };
 
 struct Verdict {

@@ -93,7 +93,7 @@ class RecordJudge {
     configurations_ = groups.size();
     std::vector<const Indices*> pieces;
     for (const auto& [key, group] : groups) pieces.push_back(&group);
-    precompute::parallel_for(pieces.size(), options_.workers, [&](std::size_t p) {
+    support::parallel_for(pieces.size(), options_.workers, [&](std::size_t p) {
       const Indices& group = *pieces[p];
       const ExactLaw law(law_, options_.law, records_.list[group.front()].configuration,
                          group.size() >= kWorthTables ? Use::many : Use::few);
@@ -161,7 +161,7 @@ class RecordJudge {
     Indices some;
     for_some(kConditionals, [&](std::size_t i) { some.push_back(i); });
     std::vector<Worst> each(some.size());
-    precompute::parallel_for(some.size(), options_.workers, [&](std::size_t k) {
+    support::parallel_for(some.size(), options_.workers, [&](std::size_t k) {
       const Record& r = records_.list[some[k]];
       each[k].see(conditional_error(r), place_of(r.configuration, r.u1, r.u2));
     });

@@ -29,7 +29,7 @@ struct RecordOptions {
   DeclaredErrors declared = {};
   /// Of the random numbers that place normals lower than kSmallestHeight.
   std::uint64_t seed = 1;
-  precompute::Workers workers = {};
+  support::Workers workers = {};
 };
 
 /// Findings at single configurations, or bands of them where there are many, and over all records.

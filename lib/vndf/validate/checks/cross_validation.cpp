@@ -80,19 +80,19 @@ Vec3<double> exact_normal(const SlopeLaw& law, const Configuration& c, double u1
 }
 
 std::vector<Finding> cross_validate(const Subject& subject, std::size_t points,
-                                    const precompute::Workers& workers) {
+                                    const support::Workers& workers) {
   auto list = law_configurations();
   std::erase_if(list, [&](const Configuration& c) { return !subject.claims.map_at(c); });
   std::vector<Difference> each(list.size());
-  precompute::parallel_for(list.size(), workers,
-                           [&](std::size_t i) { each[i] = compare(subject, list[i], points); });
+  support::parallel_for(list.size(), workers,
+                        [&](std::size_t i) { each[i] = compare(subject, list[i], points); });
   Difference all;
   for (const Difference& d : each) {
     all.u.see(d.u);
     all.angle.see(d.angle);
   }
   Finding f = all.u.finding("cross", "difference in u", subject.bounds.u_error);
-  f.note = "angle up to " + precompute::rounded_text(all.angle.measured) + " rad";
+  f.note = "angle up to " + support::rounded_text(all.angle.measured) + " rad";
   return {f};
 }
 

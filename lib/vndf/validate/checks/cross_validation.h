@@ -20,6 +20,6 @@ Vec3<double> exact_normal(const SlopeLaw& law, const Configuration& configuratio
 
 /// For subjects that claim the map; `points` random pairs of each configuration.
 std::vector<Finding> cross_validate(const Subject& subject, std::size_t points,
-                                    const precompute::Workers& workers);
+                                    const support::Workers& workers);
 
 }  // namespace vndf::validate

@@ -119,12 +119,11 @@ class DensityJudge {
 
 }  // namespace
 
-std::vector<Finding> test_density(const Subject& subject, const precompute::Workers& workers) {
+std::vector<Finding> test_density(const Subject& subject, const support::Workers& workers) {
   const auto& list = law_configurations();
   std::vector<DensityErrors> each(list.size());
-  precompute::parallel_for(list.size(), workers, [&](std::size_t i) {
-    each[i] = DensityJudge(subject, list[i]).judge();
-  });
+  support::parallel_for(list.size(), workers,
+                        [&](std::size_t i) { each[i] = DensityJudge(subject, list[i]).judge(); });
   DensityErrors all;
   for (const DensityErrors& e : each) {
     all.integral.see(e.integral);

@@ -11,6 +11,6 @@
 
 namespace vndf::validate {
 
-std::vector<Finding> test_density(const Subject& subject, const precompute::Workers& workers);
+std::vector<Finding> test_density(const Subject& subject, const support::Workers& workers);
 
 }  // namespace vndf::validate

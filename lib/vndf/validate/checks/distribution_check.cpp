@@ -34,7 +34,7 @@ UniformCounts count(const Subject& subject, const Configuration& c, std::uint64_
   UniformCounts all(bins);
   std::mutex mutex;  // guards `all`
   const std::uint64_t blocks = (options.samples + kBlock - 1) / kBlock;
-  precompute::parallel_for(blocks, options.workers, [&](std::size_t block) {
+  support::parallel_for(blocks, options.workers, [&](std::size_t block) {
     UniformCounts counts(bins);
     count_block(subject, c, law, BlockRandom(options.seed, index, block),
                 std::min(kBlock, options.samples - block * kBlock), counts);

@@ -22,7 +22,7 @@ struct LawTestOptions {
   double significance = kRunSignificance;
   /// Leave out the configurations after one that fails.
   bool stop_at_first_failure = false;
-  precompute::Workers workers = {};
+  support::Workers workers = {};
 };
 
 /// Configurations at which laws are counted: pole to horizon, smooth to rough, anisotropy to 1:500.

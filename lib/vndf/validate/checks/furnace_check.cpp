@@ -125,11 +125,11 @@ struct FurnaceErrors {
 
 }  // namespace
 
-std::vector<Finding> test_furnace(const Subject& subject, const precompute::Workers& workers) {
+std::vector<Finding> test_furnace(const Subject& subject, const support::Workers& workers) {
   const auto& list = law_configurations();
   const bool smith = subject.claims.law != NormalLaw::visible_v_cavity;
   std::vector<FurnaceErrors> each(list.size());
-  precompute::parallel_for(list.size(), workers, [&](std::size_t i) {
+  support::parallel_for(list.size(), workers, [&](std::size_t i) {
     each[i].projected.see(projected_area_error(subject, list[i]), place_of(list[i]));
     if (smith && list[i].wi.z > 0)
       each[i].visible.see(visible_area_error(subject, list[i]), place_of(list[i]));

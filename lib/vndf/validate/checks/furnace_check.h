@@ -23,6 +23,6 @@ namespace vndf::validate {
 /// Largest difference of G2 with wi and wo exchanged: the rounding of single precision.
 inline constexpr double kReciprocityError = 2e-6;
 
-std::vector<Finding> test_furnace(const Subject& subject, const precompute::Workers& workers);
+std::vector<Finding> test_furnace(const Subject& subject, const support::Workers& workers);
 
 }  // namespace vndf::validate

@@ -38,11 +38,11 @@ Distances measure(const Subject& subject, const Configuration& c, std::size_t po
 }  // namespace
 
 std::vector<Finding> measure_even_law(const Subject& subject, std::size_t points,
-                                      const precompute::Workers& workers) {
+                                      const support::Workers& workers) {
   const auto& list = law_configurations();
   std::vector<Distances> each(list.size());
-  precompute::parallel_for(list.size(), workers,
-                           [&](std::size_t i) { each[i] = measure(subject, list[i], points); });
+  support::parallel_for(list.size(), workers,
+                        [&](std::size_t i) { each[i] = measure(subject, list[i], points); });
   Distances all;
   for (const Distances& d : each) {
     all.r.see(d.r);

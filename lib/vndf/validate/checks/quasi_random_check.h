@@ -19,6 +19,6 @@ namespace vndf::validate {
 inline constexpr double kEvenError = 5;
 
 std::vector<Finding> measure_even_law(const Subject& subject, std::size_t points,
-                                      const precompute::Workers& workers);
+                                      const support::Workers& workers);
 
 }  // namespace vndf::validate

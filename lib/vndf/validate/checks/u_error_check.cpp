@@ -23,7 +23,7 @@ constexpr int kHalvings = 24;
 /// Single-precision numbers in (0, 1), increasing.
 std::vector<double> places(std::size_t count) {
   std::vector<double> list;
-  for (std::size_t k = 0; k < count; ++k) list.push_back(to_single(golden(k)));
+  for (std::size_t k = 0; k < count; ++k) list.push_back(to_single(support::golden(k)));
   for (int k = 0; k <= kTailPlaces; ++k) {
     const double e = kSmallestU * std::pow(0.1 / kSmallestU, static_cast<double>(k) / kTailPlaces);
     list.push_back(to_single(e));
@@ -64,7 +64,7 @@ class Row {
     judge_marginal_tails();
     for (std::size_t k = 0; k < options.slopes; ++k) {
       // The first two are in the tails.
-      const double u1 = k == 0 ? 1e-4 : k == 1 ? 0.9999 : golden(k);
+      const double u1 = k == 0 ? 1e-4 : k == 1 ? 0.9999 : support::golden(k);
       judge_conditional(to_single(u1), list);
     }
     return errors_;
@@ -169,7 +169,7 @@ std::vector<Finding> measure_quantile_error(const Subject& subject,
   auto list = map_configurations();
   std::erase_if(list, [&](const Configuration& c) { return !subject.claims.map_at(c); });
   std::vector<MapErrors> rows((list.size() + options.stride - 1) / options.stride);
-  precompute::parallel_for(rows.size(), options.workers, [&](std::size_t i) {
+  support::parallel_for(rows.size(), options.workers, [&](std::size_t i) {
     rows[i] = Row(subject, list[i * options.stride]).judge(options);
   });
   MapErrors all;

@@ -19,7 +19,7 @@ struct QuantileOptions {
   std::size_t slopes = 8;
   /// Judge only every n-th incidence.
   std::size_t stride = 1;
-  precompute::Workers workers = {};
+  support::Workers workers = {};
 };
 
 /// Largest step of the CDF that the map may make back, or at once forward, between neighbouring

@@ -40,7 +40,7 @@ double v_cavity_marginal(const precompute::UnitSlopes& slopes, const BoundedSlop
 
 }  // namespace
 
-SlopeLaw::SlopeLaw(std::unique_ptr<const precompute::SlopeDistribution> distribution)
+SlopeLaw::SlopeLaw(std::unique_ptr<const distributions::SlopeDistribution> distribution)
     : distribution_(std::move(distribution)),
       slopes_(*distribution_, {}),
       all_radii_(slopes_, bounded_cotangent(1.0, 0.0)) {}

@@ -31,7 +31,7 @@ enum class NormalLaw {
 class SlopeLaw {
  public:
   /// Integrates `distribution` (some 0.1 s). Throws std::domain_error as UnitSlopes does.
-  explicit SlopeLaw(std::unique_ptr<const precompute::SlopeDistribution> distribution);
+  explicit SlopeLaw(std::unique_ptr<const distributions::SlopeDistribution> distribution);
 
   const precompute::UnitSlopes& slopes() const { return slopes_; }
   /// The law of the radius of all slopes.
@@ -45,7 +45,7 @@ class SlopeLaw {
   double visible_area(const Vec3<double>& w, const Alpha<double>& alpha) const;
 
  private:
-  std::unique_ptr<const precompute::SlopeDistribution> distribution_;
+  std::unique_ptr<const distributions::SlopeDistribution> distribution_;
   precompute::UnitSlopes slopes_;
   RadialLaw all_radii_;
 };

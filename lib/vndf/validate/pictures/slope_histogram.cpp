@@ -128,7 +128,7 @@ Counts count(const Subject& subject, const Configuration& c, double half_width,
   Counts all(options.cells, half_width);
   std::mutex mutex;  // guards `all`
   const std::uint64_t blocks = (options.samples + kBlock - 1) / kBlock;
-  precompute::parallel_for(blocks, options.workers, [&](std::size_t block) {
+  support::parallel_for(blocks, options.workers, [&](std::size_t block) {
     Counts counts(options.cells, half_width);
     count_block(subject, c, BlockRandom(options.seed, options.stream, block),
                 std::min(kBlock, options.samples - block * kBlock), counts);

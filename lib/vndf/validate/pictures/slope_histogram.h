@@ -29,7 +29,7 @@ struct HistogramOptions {
   std::uint64_t seed = 1;
   /// Tells the samples of several histograms of one seed apart.
   std::uint64_t stream = 0;
-  precompute::Workers workers = {};
+  support::Workers workers = {};
 };
 
 /// Over the square of slopes -half_width to half_width, x to the right and y up, in the units of

@@ -27,9 +27,9 @@ std::vector<double> logit_places(std::size_t count) {
 }
 
 UErrorMap marginal_error_map(const Subject& subject, std::size_t rows, std::size_t columns,
-                             const precompute::Workers& workers) {
+                             const support::Workers& workers) {
   UErrorMap map{even_places(0, 90, rows), logit_places(columns), Grid(columns, rows, kUnknown)};
-  precompute::parallel_for(rows, workers, [&](std::size_t j) {
+  support::parallel_for(rows, workers, [&](std::size_t j) {
     const Configuration c = at_angles(map.row[j], 0, 1, 1);
     if (!subject.claims.map_at(c)) return;
     const MapRow row(subject, c);
@@ -44,12 +44,12 @@ UErrorMap marginal_error_map(const Subject& subject, std::size_t rows, std::size
 }
 
 UErrorMap conditional_error_map(const Subject& subject, double theta, std::size_t rows,
-                                std::size_t columns, const precompute::Workers& workers) {
+                                std::size_t columns, const support::Workers& workers) {
   UErrorMap map{logit_places(rows), logit_places(columns), Grid(columns, rows, kUnknown)};
   const Configuration c = at_angles(theta, 0, 1, 1);
   if (!subject.claims.map_at(c)) return map;
   const MapRow row(subject, c);
-  precompute::parallel_for(rows, workers, [&](std::size_t j) {
+  support::parallel_for(rows, workers, [&](std::size_t j) {
     const auto conditional = row.conditional(map.row[j]);
     if (!conditional) return;
     for (std::size_t i = 0; i < columns; ++i) {

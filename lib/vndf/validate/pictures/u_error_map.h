@@ -26,11 +26,11 @@ std::vector<double> logit_places(std::size_t count);
 
 /// Slope x at roughness 1, `rows` incidences from 0 to 90 degrees, u2 = 1/2.
 UErrorMap marginal_error_map(const Subject& subject, std::size_t rows, std::size_t columns,
-                             const precompute::Workers& workers);
+                             const support::Workers& workers);
 
 /// Slope y at roughness 1 seen from `theta`, given the slope x that is sampled at `rows` places of
 /// u1. Its law does not depend on theta, which only says which slopes x are in sight.
 UErrorMap conditional_error_map(const Subject& subject, double theta, std::size_t rows,
-                                std::size_t columns, const precompute::Workers& workers);
+                                std::size_t columns, const support::Workers& workers);
 
 }  // namespace vndf::validate

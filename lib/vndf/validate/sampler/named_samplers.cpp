@@ -34,7 +34,7 @@ template <NormalSampler<float> S, NormalSampler<double> D>
 NamedSubject entry(std::string name, const std::string& distribution, const Claims& claims,
                    const S& in_single, const D& in_double) {
   return {std::move(name), distribution,
-          [distribution] { return precompute::parse_distribution(distribution); },
+          [distribution] { return distributions::parse_distribution(distribution); },
           [=](std::string subject, std::shared_ptr<const SlopeLaw> law) {
             return make_subject(std::move(subject), std::move(law), in_single, in_double, claims);
           }};
@@ -72,9 +72,9 @@ NamedSubject gtr_1_5() {
   auto subject = frozen("gtr-1.5-ndf", "D = " + std::string(kNdf) + ", alpha = 0.5",
                         Gtr<float>(profile), Gtr<double>(profile));
   subject.make_distribution = [] {
-    return std::make_unique<precompute::FormulaDistribution>(
-        precompute::FormulaDistribution::from_ndf(precompute::NdfFormula({kNdf, {}}),
-                                                  kFrozenAlpha));
+    return std::make_unique<distributions::FormulaDistribution>(
+        distributions::FormulaDistribution::from_ndf(distributions::NdfFormula({kNdf, {}}),
+                                                     kFrozenAlpha));
   };
   return subject;
 }
@@ -121,8 +121,8 @@ const NamedSubject& find_subject(const std::string& name) {
   std::vector<std::string> known;
   for (const NamedSubject& s : list) known.push_back(s.name);
   throw std::invalid_argument("'" + name + "' is neither a table file nor a reference sampler" +
-                              precompute::did_you_mean(name, known) +
-                              "; known: " + precompute::listed(known));
+                              support::did_you_mean(name, known) +
+                              "; known: " + support::listed(known));
 }
 
 }  // namespace vndf::validate

@@ -15,7 +15,7 @@ struct NamedSubject {
   std::string name;
   /// The law that it claims, in words, and as a distribution.
   std::string distribution;
-  std::function<std::unique_ptr<precompute::SlopeDistribution>()> make_distribution;
+  std::function<std::unique_ptr<distributions::SlopeDistribution>()> make_distribution;
   /// Of that law, which may be shared.
   std::function<Subject(std::string name, std::shared_ptr<const SlopeLaw> law)> make;
 };

@@ -179,13 +179,13 @@ std::vector<Finding> UniformCounts::findings(const DeclaredErrors& declared,
   const auto line = [&](const LineCounts& counts, const std::string& name) {
     double ratio = 1;
     list.push_back(probability(stage, name + " cdf", counts.cumulative(declared), 1, where,
-                               "distance " + precompute::rounded_text(counts.distance())));
+                               "distance " + support::rounded_text(counts.distance())));
     list.push_back(probability(stage, name + " chi-square", counts.chi_square(declared), 1, where,
                                std::to_string(counts.samples()) + " samples"));
     if (counts.octaves() == 0) return;
     const double tails = counts.tails(declared, ratio);
     list.push_back(probability(stage, name + " tails", tails, 2 * counts.octaves(), where,
-                               "mass ratio " + precompute::rounded_text(ratio)));
+                               "mass ratio " + support::rounded_text(ratio)));
   };
   line(r_, "radius");
   line(phi_, "azimuth");

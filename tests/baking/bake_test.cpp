@@ -1,5 +1,5 @@
 // Baking: the kernel's tables follow the pair, within what was asked for.
-#include "vndf/bake/bake.h"
+#include "vndf/baking/bake.h"
 
 #include <algorithm>
 #include <bit>
@@ -33,7 +33,7 @@ std::vector<float> hard_numbers() {
         for (const float near : {std::nextafter(v, 0.0f), v, std::nextafter(v, 2.0f)})
           if (near < 1) list.push_back(near);
     }
-  for (std::size_t k = 0; k < 2000; ++k) list.push_back(static_cast<float>(golden(k)));
+  for (std::size_t k = 0; k < 2000; ++k) list.push_back(static_cast<float>(support::golden(k)));
   std::sort(list.begin(), list.end());
   return list;
 }
@@ -51,7 +51,8 @@ double difference(const std::string& law, double theta) {
   const Vec3<float> wi = direction_at<float>(theta);
   double largest = 0;
   for (std::size_t k = 0; k < kPlaces; ++k) {
-    const float u1 = static_cast<float>(golden(k)), u2 = static_cast<float>(golden(k, 0.1));
+    const float u1 = static_cast<float>(support::golden(k)),
+                u2 = static_cast<float>(support::golden(k, 0.1));
     const Vec3<float> m = kernel.sample(wi, {1, 1}, u1, u2);
     const auto u = pair.invert({wi.x, wi.y, wi.z}, {m.x, m.y, m.z}, {1, 1});
     if (!u) return 1;

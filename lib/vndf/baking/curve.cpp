@@ -1,5 +1,5 @@
 // Curves of the kernel.
-#include "vndf/bake/curve.h"
+#include "vndf/baking/curve.h"
 
 #include <algorithm>
 #include <array>

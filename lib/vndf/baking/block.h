@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "vndf/bake/cells.h"
+#include "vndf/baking/cells.h"
 #include "vndf/kernel_tables.h"
 
 namespace vndf::baking {

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "vndf/bake/block.h"
+#include "vndf/baking/block.h"
 #include "vndf/log_curve.h"
 
 namespace vndf::baking {

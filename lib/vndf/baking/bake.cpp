@@ -1,6 +1,6 @@
 // From the pair of tables to those of a kernel: what was planned is written, and what was made is
 // measured against the pair.
-#include "vndf/bake/bake.h"
+#include "vndf/baking/bake.h"
 
 #include <algorithm>
 #include <array>
@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "vndf/bake/block.h"
-#include "vndf/bake/curve.h"
-#include "vndf/bake/pair_slopes.h"
-#include "vndf/bake/plan.h"
+#include "vndf/baking/block.h"
+#include "vndf/baking/curve.h"
+#include "vndf/baking/pair_slopes.h"
+#include "vndf/baking/plan.h"
 #include "vndf/support/low_discrepancy.h"
 
 namespace vndf {
@@ -194,7 +194,7 @@ struct Differences {
 
 /// u in single precision: golden in its root from both ends, so that tails are looked at too.
 float golden_u(std::size_t k) {
-  const double v = golden(k + 1, 0), q = v * v / 2;
+  const double v = support::golden(k + 1, 0), q = v * v / 2;
   return static_cast<float>(k % 2 == 0 ? q : 1 - q);
 }
 
@@ -204,7 +204,7 @@ Differences differences(const KernelTables& tables, const PairSlopes& slopes) {
   const kernel::VndfTables& t = kernel.tables();
   Differences worst;
   for (std::size_t i = 0; i < kDirections; ++i) {
-    const double place = golden(i + 1, 0), wanted = i % 4 == 0 ? place * place : place;
+    const double place = support::golden(i + 1, 0), wanted = i % 4 == 0 ? place * place : place;
     const Vec3<float> wi{static_cast<float>(wanted), 0, static_cast<float>(1 - wanted)};
     const kernel::VndfDirection at = kernel::vndf_at(t, wi, 1 / t.unit, 1);
     const double row = slopes.direction_row(double{wi.x} / (double{wi.x} + double{wi.z}));

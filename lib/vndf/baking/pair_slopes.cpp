@@ -1,5 +1,5 @@
 // The quantile functions of the pair in the kernel's terms.
-#include "vndf/bake/pair_slopes.h"
+#include "vndf/baking/pair_slopes.h"
 
 #include <algorithm>
 #include <cmath>

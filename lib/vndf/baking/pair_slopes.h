@@ -2,7 +2,7 @@
 // their derivatives, in the values and the units that the kernel's cells hold (kernel_text.h).
 #pragma once
 
-#include "vndf/bake/cells.h"
+#include "vndf/baking/cells.h"
 #include "vndf/monotone_map.h"
 #include "vndf/row_axis.h"
 #include "vndf/slope_tables.h"

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <functional>
 
-#include "vndf/bake/cells.h"
-#include "vndf/bake/pair_slopes.h"
+#include "vndf/baking/cells.h"
+#include "vndf/baking/pair_slopes.h"
 #include "vndf/cubic_piece.h"
 
 namespace vndf::baking {

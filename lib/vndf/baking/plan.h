@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 
-#include "vndf/bake/surface.h"
+#include "vndf/baking/surface.h"
 #include "vndf/kernel_tables.h"
 #include "vndf/slope_tables.h"
 

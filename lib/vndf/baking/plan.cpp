@@ -1,5 +1,5 @@
 // Laying rows and columns.
-#include "vndf/bake/plan.h"
+#include "vndf/baking/plan.h"
 
 #include <algorithm>
 #include <cmath>
