@@ -44,7 +44,7 @@ class Place {
 };
 
 void write_folder(const fs::path& path, const Names& names) {
-  WholeFolder folder(path);
+  AtomicFolder folder(path);
   for (const std::string& name : names) folder.write(name, name + " of " + path.string());
   folder.put_in_place();
 }
@@ -60,14 +60,14 @@ TEST_CASE("a folder appears with its files and their list, and nothing beside it
   const Place place;
   write_folder(place / "a/b", {"x", "y"});
   CHECK(place.names("a") == Names{"b"});
-  CHECK(place.names("a/b") == Names{"x", "y", WholeFolder::kList});
+  CHECK(place.names("a/b") == Names{"x", "y", AtomicFolder::kList});
   CHECK(content(place / "a/b/x") == "x of " + (place / "a/b").string());
 }
 
 TEST_CASE("a folder that is not put in place leaves nothing behind") {
   const Place place;
   {
-    WholeFolder folder(place / "a");
+    AtomicFolder folder(place / "a");
     folder.write("x", "text");
     CHECK(!fs::exists(place / "a"));
   }
@@ -80,16 +80,16 @@ TEST_CASE("a folder replaces an empty one and an earlier one with all of its fil
   write_folder(place / "a", {"x", "y"});
   write_folder(place / "a/", {"z"});
   CHECK(place.names() == Names{"a"});
-  CHECK(place.names("a") == Names{"z", WholeFolder::kList});
+  CHECK(place.names("a") == Names{"z", AtomicFolder::kList});
 }
 
 TEST_CASE("a folder that holds a file of someone else is refused and stays as it was") {
   const Place place;
   write_folder(place / "a", {"x"});
   std::ofstream(place / "a/notes") << "mine";
-  CHECK_THROWS_WITH(WholeFolder(place / "a"),
+  CHECK_THROWS_WITH(AtomicFolder(place / "a"),
                     contains("it holds 'notes'") && contains("move it away"));
-  CHECK(place.names("a") == Names{"x", "notes", WholeFolder::kList});
+  CHECK(place.names("a") == Names{"x", "notes", AtomicFolder::kList});
   CHECK(place.names() == Names{"a"});
 }
 
@@ -97,12 +97,12 @@ TEST_CASE("a file of someone else that comes in the meantime is not lost") {
   const Place place;
   write_folder(place / "a", {"x"});
   {
-    WholeFolder folder(place / "a");
+    AtomicFolder folder(place / "a");
     folder.write("y", "text");
     std::ofstream(place / "a/notes") << "mine";
-    CHECK_THROWS_AS(folder.put_in_place(), Refusal);
+    CHECK_THROWS_AS(folder.put_in_place(), FormatError);
   }
-  CHECK(place.names("a") == Names{"x", "notes", WholeFolder::kList});
+  CHECK(place.names("a") == Names{"x", "notes", AtomicFolder::kList});
   CHECK(place.names() == Names{"a"});
 }
 
@@ -111,14 +111,14 @@ TEST_CASE("a folder inside is someone else's, even under a listed name") {
   write_folder(place / "a", {"x"});
   fs::remove(place / "a/x");
   fs::create_directory(place / "a/x");
-  CHECK_THROWS_AS(WholeFolder(place / "a"), Refusal);
+  CHECK_THROWS_AS(AtomicFolder(place / "a"), FormatError);
 }
 
 TEST_CASE("a list that names files outside of its folder removes none of them") {
   const Place place;
   std::ofstream(place / "precious") << "mine";
   write_folder(place / "a", {"x"});
-  std::ofstream(place / ("a/" + std::string(WholeFolder::kList)), std::ios::app)
+  std::ofstream(place / ("a/" + std::string(AtomicFolder::kList)), std::ios::app)
       << "../precious\n"
       << (place / "precious").string() << '\n';
   write_folder(place / "a", {"y"});
@@ -128,8 +128,8 @@ TEST_CASE("a list that names files outside of its folder removes none of them") 
 TEST_CASE("a file in the way is refused") {
   const Place place;
   std::ofstream(place / "a") << "text";
-  CHECK_THROWS_WITH(WholeFolder(place / "a"), contains("it is a file; give the name of a folder"));
-  CHECK_THROWS_WITH(WholeFolder(place / "a/b"), contains("it cannot be made"));
+  CHECK_THROWS_WITH(AtomicFolder(place / "a"), contains("it is a file; give the name of a folder"));
+  CHECK_THROWS_WITH(AtomicFolder(place / "a/b"), contains("it cannot be made"));
 }
 
 TEST_CASE("a link to a folder stays a link") {
@@ -138,5 +138,5 @@ TEST_CASE("a link to a folder stays a link") {
   fs::create_directory_symlink(place / "a", place / "link");
   write_folder(place / "link", {"y"});
   CHECK(fs::is_symlink(place / "link"));
-  CHECK(place.names("a") == Names{"y", WholeFolder::kList});
+  CHECK(place.names("a") == Names{"y", AtomicFolder::kList});
 }

@@ -15,6 +15,7 @@
 #include "vndf/io/format_error.h"
 #include "vndf/io/hdf5_table_file.h"
 #include "vndf/io/stored_tables.h"
+#include "vndf/io/table_file.h"
 
 namespace {
 
@@ -77,7 +78,7 @@ struct ScratchFile {
   }
 };
 
-/// What load says about the file: "same", "different" or the refusal.
+/// What load says about the file: "same", "different" or the error.
 std::string outcome(const fs::path& path, const StoredTables& written) {
   try {
     return to_stored(load(path)) == written ? "same" : "different";
@@ -134,17 +135,17 @@ std::uint64_t seed() {
 
 // Wrong content.
 
-/// Checks that each format brings changed content to the judge, who refuses it in these words.
+/// Checks that changed content is refused with these words after a round trip through each format.
 void check_refused(const std::function<void(StoredTables&)>& change,
                    const std::vector<std::string>& parts, std::size_t formats = kFormats.size()) {
   StoredTables stored = to_stored(good_file());
   change(stored);
   for (std::size_t f = 0; f < formats; ++f) {
-    std::string message = "no refusal";
+    std::string message = "no error";
     try {
       from_stored(kFormats[f].read(kFormats[f].write(stored)));
-    } catch (const Refusal& refusal) {
-      message = refusal.what();
+    } catch (const FormatError& error) {
+      message = error.what();
     }
     INFO(kFormats[f].name << ": " << message);
     for (const std::string& part : parts) CHECK(message.find(part) != std::string::npos);
@@ -176,7 +177,7 @@ TEST_CASE("a corrupted file is refused or returns exactly what was saved") {
   const StoredTables written = to_stored(good_file());
   Random random(seed());
   for (const FormatCase& format : kFormats) {
-    const std::string good = sealed(format.write(written));
+    const std::string good = with_trailer(format.write(written));
     int same = 0;
     for (int i = 0; i < kCorruptions; ++i) {
       std::string bytes = good;
@@ -196,7 +197,7 @@ TEST_CASE("a file cut short anywhere is refused") {
   const ScratchFile file;
   const StoredTables written = to_stored(good_file());
   for (const FormatCase& format : kFormats) {
-    const std::string good = sealed(format.write(written));
+    const std::string good = with_trailer(format.write(written));
     for (std::size_t length = 0; length < good.size(); ++length) {
       file.put(good.substr(0, length));
       REQUIRE_THROWS_AS(load(file.path), TableFileError);
@@ -215,7 +216,7 @@ TEST_CASE("a file with a byte changed, added or lost is refused") {
     CHECK(message.find(part) != std::string::npos);
   };
   for (const FormatCase& format : kFormats) {
-    const std::string good = sealed(format.write(written));
+    const std::string good = with_trailer(format.write(written));
     std::string changed = good;
     changed[good.size() / 2] ^= 1;
     check(good, "same");

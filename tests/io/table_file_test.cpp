@@ -99,8 +99,8 @@ std::string message_of(const std::function<void()>& action) {
   return "no error";
 }
 
-/// The message with which load refuses these bytes.
-std::string refusal_of(const std::string& bytes) {
+/// The message of the error that load throws for these bytes.
+std::string error_of(const std::string& bytes) {
   const Folder folder;
   put_bytes(folder / "given", bytes);
   return message_of([&] { load(folder / "given"); });
@@ -111,13 +111,13 @@ void check_says(const std::string& message, const std::vector<std::string>& part
   for (const std::string& part : parts) CHECK(message.find(part) != std::string::npos);
 }
 
-/// Checks that a file with changed content and a valid seal is refused, in either format.
+/// Checks that a file with changed content and a valid trailer is refused, in either format.
 void check_refused(const std::function<void(StoredTables&)>& change,
                    const std::vector<std::string>& parts) {
   for (const std::string& extension : kExtensions) {
     StoredTables stored = to_stored(small_file());
     change(stored);
-    check_says(refusal_of(sealed(written(extension, stored))), parts);
+    check_says(error_of(with_trailer(written(extension, stored))), parts);
   }
 }
 
@@ -168,8 +168,7 @@ TEST_CASE("the same content gives the same bytes") {
   for (const std::string& extension : kExtensions) {
     save(folder / ("a" + extension), small_file());
     save(folder / ("b" + extension), small_file());
-    CHECK(read_whole_file(folder / ("a" + extension)) ==
-          read_whole_file(folder / ("b" + extension)));
+    CHECK(read_file(folder / ("a" + extension)) == read_file(folder / ("b" + extension)));
   }
 }
 
@@ -200,8 +199,8 @@ TEST_CASE("what is not a table file is refused") {
   const Folder folder;
   check_says(message_of([&] { load(folder / "none.h5"); }), {"none.h5", "no such file"});
   check_says(message_of([&] { load(folder.path); }), {folder.path.string(), "not a file"});
-  check_says(refusal_of(""), {"given", "empty"});
-  check_says(refusal_of("PNG and so on"), {"given", "neither an HDF5 nor an EXR file"});
+  check_says(error_of(""), {"given", "empty"});
+  check_says(error_of("PNG and so on"), {"given", "neither an HDF5 nor an EXR file"});
 }
 
 TEST_CASE("HDF5 and EXR files of other programs are refused") {
@@ -209,13 +208,14 @@ TEST_CASE("HDF5 and EXR files of other programs are refused") {
   foreign.attributes["title"] = "something else";
   foreign.arrays["marginal"] = {{2, 3}, std::vector<float>(6)};
   for (const std::string& extension : kExtensions) {
-    check_says(refusal_of(written(extension, foreign)), {"another program wrote it"});
-    check_says(refusal_of(sealed(written(extension, foreign))), {"file_type", "another program"});
+    check_says(error_of(written(extension, foreign)), {"another program wrote it"});
+    check_says(error_of(with_trailer(written(extension, foreign))),
+               {"file_type", "another program"});
   }
   check_refused([](StoredTables& s) { s.attributes["file_type"] = "a photo"; }, {"file_type"});
 }
 
-TEST_CASE("another major version is refused, before what it may have changed is judged") {
+TEST_CASE("another major version is refused, before what it may have changed is looked at") {
   const auto version = [](int major, int minor) {
     return [=](StoredTables& s) {
       s.attributes["format_major"] = major;
@@ -236,7 +236,7 @@ TEST_CASE("a newer minor version is read and what it added is ignored") {
   stored.attributes["added"] = 1.5;
   stored.arrays["added"] = {{3, 1}, std::vector<float>(3)};
   for (const std::string& extension : kExtensions) {
-    put_bytes(folder / "t", sealed(written(extension, stored)));
+    put_bytes(folder / "t", with_trailer(written(extension, stored)));
     CHECK(to_stored(load(folder / "t")) == to_stored(small_file()));
   }
 }

@@ -73,7 +73,7 @@ std::vector<std::string> words_of(const std::string& line) {
 
 std::string file_checksum(const std::string& path) {
   io::Crc64 crc;
-  crc.add(io::read_whole_file(path));
+  crc.add(io::read_file(path));
   return io::hex_digits(crc.value());
 }
 

@@ -42,8 +42,8 @@ void require_output(const std::string& path, const std::vector<std::string>& inp
 void write_json(const std::string& path, const nlohmann::ordered_json& report) {
   try {
     io::replace_file(path, report.dump(2) + "\n");
-  } catch (const io::Refusal& refusal) {
-    throw std::runtime_error(path + ": " + refusal.what());
+  } catch (const io::FormatError& error) {
+    throw std::runtime_error(path + ": " + error.what());
   }
 }
 

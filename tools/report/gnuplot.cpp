@@ -75,7 +75,7 @@ std::string png_of(const std::string& script, int width, int height,
         "set output {}\nset encoding utf8\n{}\nset output\n",
         width, height, quoted(file), script);
   });
-  std::string bytes = io::read_whole_file(scratch);
+  std::string bytes = io::read_file(scratch);
   std::filesystem::remove(scratch);
   return bytes;
 }

@@ -13,7 +13,7 @@ namespace vndf::tools {
 class ValidationReport {
  public:
   /// Throws std::runtime_error, before any work, if gnuplot is missing or `folder` cannot be made
-  /// or replaced (io::WholeFolder).
+  /// or replaced (io::AtomicFolder).
   ValidationReport(const std::filesystem::path& folder, ReportCircumstances circumstances);
 
   /// Draws the pictures of a subject, which takes some seconds.
@@ -26,7 +26,7 @@ class ValidationReport {
  private:
   std::string new_stem(const std::string& subject) const;
 
-  io::WholeFolder folder_;
+  io::AtomicFolder folder_;
   ReportCircumstances circumstances_;
   std::vector<ReportSection> sections_;
 };

@@ -23,11 +23,12 @@ std::string last_error() {
 std::size_t checked_size(const fs::path& path) {
   std::error_code error;
   const std::uintmax_t size = fs::file_size(path, error);
-  if (error) throw Refusal("it cannot be read: " + error.message(), "check its permissions");
-  if (size == 0) throw Refusal("it is empty", "copy it again, or make it again with its recipe");
+  if (error) throw FormatError("it cannot be read: " + error.message(), "check its permissions");
+  if (size == 0) throw FormatError("it is empty", "copy it again, or build it again");
   if (size > kMaxFileBytes)
-    throw Refusal("it is larger than any table file (" + std::to_string(kMaxFileBytes) + " bytes)",
-                  "give a file written by vndf");
+    throw FormatError(
+        "it is larger than any table file (" + std::to_string(kMaxFileBytes) + " bytes)",
+        "give a file written by vndf");
   return static_cast<std::size_t>(size);
 }
 
@@ -37,7 +38,8 @@ class TemporaryFile {
   explicit TemporaryFile(const fs::path& path)
       : name_(temporary_name(path)), file_(std::fopen(name_.c_str(), "wbx")) {
     if (file_ == nullptr)
-      throw Refusal("it cannot be created: " + last_error(), "choose a folder that can be written");
+      throw FormatError("it cannot be created: " + last_error(),
+                        "choose a folder that can be written");
   }
   ~TemporaryFile() {
     if (file_ != nullptr) std::fclose(file_);
@@ -51,13 +53,15 @@ class TemporaryFile {
     const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file_) == bytes.size();
     const bool closed = std::fclose(std::exchange(file_, nullptr)) == 0;
     if (!written || !closed)
-      throw Refusal("it cannot be written: " + last_error(), "make room or choose another folder");
+      throw FormatError("it cannot be written: " + last_error(),
+                        "make room or choose another folder");
   }
 
   void rename_to(const fs::path& path) {
     std::error_code error;
     fs::rename(name_, path, error);
-    if (error) throw Refusal("it cannot be replaced: " + error.message(), "choose another name");
+    if (error)
+      throw FormatError("it cannot be replaced: " + error.message(), "choose another name");
     renamed_ = true;
   }
 
@@ -72,16 +76,17 @@ class TemporaryFile {
 void require_file(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) throw Refusal("there is no such file", "check the path");
-  if (!fs::is_regular_file(status)) throw Refusal("it is not a file", "give the path of a file");
+  if (!fs::exists(status)) throw FormatError("there is no such file", "check the path");
+  if (!fs::is_regular_file(status))
+    throw FormatError("it is not a file", "give the path of a file");
 }
 
-std::string read_whole_file(const fs::path& path) {
+std::string read_file(const fs::path& path) {
   require_file(path);
   std::string bytes(checked_size(path), '\0');
   std::ifstream in(path, std::ios::binary);
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (!in) throw Refusal("it cannot be read: " + last_error(), "check its permissions");
+  if (!in) throw FormatError("it cannot be read: " + last_error(), "check its permissions");
   return bytes;
 }
 

@@ -15,32 +15,35 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kFirstLine = "Files that vndf wrote and will replace:";
 
-Refusal refusal(const fs::path& target, const std::string& rule, const std::string& remedy) {
+FormatError error_about(const fs::path& target, const std::string& rule,
+                        const std::string& remedy) {
   return {"the folder '" + target.string() + "': " + rule, remedy};
 }
 
 /// Names of the files that were written into `folder`, the list itself the last of them; none
 /// without a list.
 std::vector<std::string> listed_files(const fs::path& folder) {
-  std::ifstream list(folder / WholeFolder::kList);
+  std::ifstream list(folder / AtomicFolder::kList);
   std::string line;
   if (!std::getline(list, line) || line != kFirstLine) return {};
   std::vector<std::string> names;
   while (std::getline(list, line))
     if (fs::path(line).filename() == line) names.push_back(line);  // nothing outside of the folder
-  names.push_back(WholeFolder::kList);
+  names.push_back(AtomicFolder::kList);
   return names;
 }
 
 void check_replaceable(const fs::path& target) {
   if (!fs::exists(target)) return;
-  if (!fs::is_directory(target)) throw refusal(target, "it is a file", "give the name of a folder");
+  if (!fs::is_directory(target))
+    throw error_about(target, "it is a file", "give the name of a folder");
   const auto names = listed_files(target);
   for (const auto& entry : fs::directory_iterator(target)) {
     const std::string name = entry.path().filename().string();
     if (std::find(names.begin(), names.end(), name) == names.end() || entry.is_directory())
-      throw refusal(target, "it holds '" + name + "', which vndf did not write and will not remove",
-                    "move it away or name another folder");
+      throw error_about(target,
+                        "it holds '" + name + "', which vndf did not write and will not remove",
+                        "move it away or name another folder");
   }
 }
 
@@ -59,28 +62,28 @@ fs::path full_path(const fs::path& path) {
 
 }  // namespace
 
-WholeFolder::WholeFolder(const fs::path& target)
+AtomicFolder::AtomicFolder(const fs::path& target)
     : target_(full_path(target)), scratch_(temporary_name(target_)) {
   check_replaceable(target_);
   std::error_code error;
   fs::create_directories(target_.parent_path(), error);
   if (!error) fs::create_directory(scratch_, error);
   if (error)
-    throw refusal(target_, "it cannot be made: " + error.message(),
-                  "choose a place that can be written");
+    throw error_about(target_, "it cannot be made: " + error.message(),
+                      "choose a place that can be written");
 }
 
-WholeFolder::~WholeFolder() {
+AtomicFolder::~AtomicFolder() {
   std::error_code ignored;
   if (!scratch_.empty()) fs::remove_all(scratch_, ignored);
 }
 
-void WholeFolder::write(const std::string& name, std::string_view bytes) {
+void AtomicFolder::write(const std::string& name, std::string_view bytes) {
   replace_file(scratch_ / name, bytes);
   names_.push_back(name);
 }
 
-void WholeFolder::put_in_place() {
+void AtomicFolder::put_in_place() {
   std::string list{kFirstLine};
   for (const std::string& name : names_) list += "\n" + name;
   replace_file(scratch_ / kList, list + "\n");
@@ -96,7 +99,7 @@ void WholeFolder::put_in_place() {
     if (error && replaces) fs::rename(earlier, target_, ignored);
   }
   if (error)
-    throw refusal(target_, "it cannot be replaced: " + error.message(), "name another folder");
+    throw error_about(target_, "it cannot be replaced: " + error.message(), "name another folder");
   scratch_.clear();
   if (replaces) remove_listed(earlier);
 }

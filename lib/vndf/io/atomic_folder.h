@@ -10,18 +10,18 @@ namespace vndf::io {
 
 /// A folder in the making. Files are written into one with a temporary name beside the target, and
 /// put_in_place() renames it. Without that call nothing is left behind.
-class WholeFolder {
+class AtomicFolder {
  public:
   /// In this file the names of all others are listed, by which the next folder knows what to
   /// replace.
   static constexpr const char* kList = "vndf-files.txt";
 
-  /// Parents of `target` are made. Throws Refusal, naming it, if it is there and is not a folder
-  /// that is empty or holds such files and nothing else, or if its parent cannot be written.
-  explicit WholeFolder(const std::filesystem::path& target);
-  ~WholeFolder();
-  WholeFolder(const WholeFolder&) = delete;
-  WholeFolder& operator=(const WholeFolder&) = delete;
+  /// Parents of `target` are made. Throws FormatError, naming it, if it is there and is not a
+  /// folder that is empty or holds such files and nothing else, or if its parent cannot be written.
+  explicit AtomicFolder(const std::filesystem::path& target);
+  ~AtomicFolder();
+  AtomicFolder(const AtomicFolder&) = delete;
+  AtomicFolder& operator=(const AtomicFolder&) = delete;
 
   /// Where the files are until put_in_place(). What else is put there must be gone by then.
   const std::filesystem::path& scratch() const { return scratch_; }

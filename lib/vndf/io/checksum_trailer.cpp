@@ -1,4 +1,4 @@
-// Sealing and judging whole files.
+// Writing and checking the checksum trailer.
 #include "vndf/io/checksum_trailer.h"
 
 #include <utility>
@@ -10,36 +10,39 @@
 namespace vndf::io {
 namespace {
 
-std::string seal_of(std::string_view content) {
+std::string trailer_of(std::string_view content) {
   Crc64 crc;
   crc.add(content);
-  return std::string(kSealText) + hex_digits(crc.value());
+  return std::string(kTrailerText) + hex_digits(crc.value());
 }
 
-/// Both formats hold texts as they are, so the file type can be found without parsing anything.
-Refusal unsealed_refusal(std::string_view bytes) {
+/// Both formats store texts uncompressed. The file type can therefore be found without parsing, and
+/// it tells a damaged table file from a file of another program.
+FormatError no_trailer_error(std::string_view bytes) {
   if (bytes.find(kFileType) != std::string_view::npos)
-    return {"its last bytes are not the seal of a table file, so it was cut short or changed",
-            "copy it again, or make it again with its recipe"};
+    return {
+        "its last bytes are not the checksum trailer of a table file, so it was cut short or "
+        "changed",
+        "copy it again, or build it again"};
   return {"it holds no vndf slope tables: another program wrote it, or it was cut short",
           "give a file written by vndf"};
 }
 
 }  // namespace
 
-std::string sealed(std::string content) {
-  const std::string seal = seal_of(content);
-  return std::move(content) + seal;
+std::string with_trailer(std::string content) {
+  const std::string trailer = trailer_of(content);
+  return std::move(content) + trailer;
 }
 
-std::string_view unsealed(std::string_view bytes) {
-  if (bytes.size() < kSealBytes) throw unsealed_refusal(bytes);
-  const std::string_view content = bytes.substr(0, bytes.size() - kSealBytes);
-  const std::string_view seal = bytes.substr(content.size());
-  if (!seal.starts_with(kSealText)) throw unsealed_refusal(bytes);
-  if (seal != seal_of(content))
-    throw Refusal("it is damaged: its bytes do not match the seal at its end",
-                  "copy it again, or make it again with its recipe");
+std::string_view without_trailer(std::string_view bytes) {
+  if (bytes.size() < kTrailerBytes) throw no_trailer_error(bytes);
+  const std::string_view content = bytes.substr(0, bytes.size() - kTrailerBytes);
+  const std::string_view trailer = bytes.substr(content.size());
+  if (!trailer.starts_with(kTrailerText)) throw no_trailer_error(bytes);
+  if (trailer != trailer_of(content))
+    throw FormatError("it is damaged: its bytes do not match the checksum at its end",
+                      "copy it again, or build it again");
   return content;
 }
 

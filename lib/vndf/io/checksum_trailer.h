@@ -1,6 +1,8 @@
-// The last 32 bytes of every table file: a check of all bytes before them, so that neither HDF5 nor
-// OpenEXR, which trust much of what they read, is ever given bytes other than those written.
-// Both formats allow bytes after their end, so other programs read a sealed file as usual.
+// The checksum trailer: the last 32 bytes of every table file hold a checksum of all bytes before
+// them. HDF5 and OpenEXR trust much of what they read and may crash on damaged bytes. A file is
+// given to them only if its trailer shows that its bytes are those that were written.
+//
+// Both formats allow bytes after their end, so other programs read a file with a trailer as usual.
 #pragma once
 
 #include <string>
@@ -8,15 +10,15 @@
 
 namespace vndf::io {
 
-/// "vndf crc-64/xz: " and 16 lower-case hexadecimal digits.
-inline constexpr std::string_view kSealText = "vndf crc-64/xz: ";
-inline constexpr std::size_t kSealBytes = kSealText.size() + 16;
+/// The trailer is this text and 16 lower-case hexadecimal digits, the CRC-64/XZ.
+inline constexpr std::string_view kTrailerText = "vndf crc-64/xz: ";
+inline constexpr std::size_t kTrailerBytes = kTrailerText.size() + 16;
 
-/// `content` with its seal after it.
-std::string sealed(std::string content);
+/// Returns `content` followed by its trailer.
+std::string with_trailer(std::string content);
 
-/// The content of sealed bytes. Throws Refusal if the seal is missing or does not match: the bytes
-/// were cut short, changed, or written by another program.
-std::string_view unsealed(std::string_view bytes);
+/// Returns the bytes before the trailer. Throws FormatError if the trailer is missing or does not
+/// match them, because the bytes were cut short, changed, or written by another program.
+std::string_view without_trailer(std::string_view bytes);
 
 }  // namespace vndf::io

@@ -19,11 +19,12 @@ constexpr int kNoThreads = 0;
 
 void check(const ExrImage& image) {
   if (image.channels.empty() || image.width == 0 || image.height == 0)
-    throw Refusal("the image is empty", "give it a size and a channel");
+    throw FormatError("the image is empty", "give it a size and a channel");
   for (const auto& [name, values] : image.channels)
     if (values.size() != image.width * image.height)
-      throw Refusal("the channel '" + name + "' has " + std::to_string(values.size()) + " values",
-                    "give it " + std::to_string(image.width * image.height));
+      throw FormatError(
+          "the channel '" + name + "' has " + std::to_string(values.size()) + " values",
+          "give it " + std::to_string(image.width * image.height));
 }
 
 Imf::Header header_of(const ExrImage& image) {
@@ -56,10 +57,10 @@ std::string write_exr_image(const ExrImage& image) try {
     file.writePixels(static_cast<int>(image.height));
   }
   return stream.take();
-} catch (const Refusal&) {
+} catch (const FormatError&) {
   throw;
 } catch (const std::exception& error) {
-  throw Refusal(std::string("OpenEXR cannot write it: ") + error.what(), "check the names");
+  throw FormatError(std::string("OpenEXR cannot write it: ") + error.what(), "check the names");
 }
 
 }  // namespace vndf::io

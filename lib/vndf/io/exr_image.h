@@ -17,7 +17,7 @@ struct ExrImage {
 };
 
 /// The bytes of a scan line file of 32-bit floats; the same image gives the same bytes. Throws
-/// Refusal if a channel has not width * height values, there is none, or OpenEXR fails.
+/// FormatError if a channel has not width * height values, there is none, or OpenEXR fails.
 std::string write_exr_image(const ExrImage& image);
 
 }  // namespace vndf::io

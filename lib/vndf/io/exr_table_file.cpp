@@ -85,12 +85,12 @@ void insert(Imf::Header& header, const std::string& name, const std::string& val
   header.insert(name, Imf::StringAttribute(value));
 }
 void insert(Imf::Header&, const std::string& name, NotUsed) {
-  throw Refusal("the attribute '" + name + "' has no value", "give it one");
+  throw FormatError("the attribute '" + name + "' has no value", "give it one");
 }
 
 Imf::Header header_of(const std::string& name, const Array& array) {
   if (array.shape.size() != 2)
-    throw Refusal("the array '" + name + "' has not two axes", "give it rows and columns");
+    throw FormatError("the array '" + name + "' has not two axes", "give it rows and columns");
   Imf::Header header(static_cast<int>(array.shape[1]), static_cast<int>(array.shape[0]));
   // All parts of a file share one display window; it has no meaning here.
   header.displayWindow() = {{0, 0}, {0, 0}};
@@ -208,10 +208,11 @@ std::string write_exr(const StoredTables& stored) try {
   ExrMemoryOutput stream;
   write_file(stream, stored);
   return stream.take();
-} catch (const Refusal&) {
+} catch (const FormatError&) {
   throw;
 } catch (const std::exception& error) {
-  throw Refusal(std::string("OpenEXR cannot write it: ") + error.what(), "make the tables again");
+  throw FormatError(std::string("OpenEXR cannot write it: ") + error.what(),
+                    "make the tables again");
 }
 
 StoredTables read_exr(std::string_view bytes) try {
@@ -219,8 +220,8 @@ StoredTables read_exr(std::string_view bytes) try {
   Imf::MultiPartInputFile file(stream, kNoThreads, false);
   return read_file(file);
 } catch (const std::exception& error) {
-  throw Refusal(std::string("OpenEXR cannot read it: ") + error.what(),
-                "make the file again with its recipe");
+  throw FormatError(std::string("OpenEXR cannot read it: ") + error.what(),
+                    "build the table again");
 }
 
 }  // namespace vndf::io

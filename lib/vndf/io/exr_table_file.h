@@ -12,12 +12,12 @@ namespace vndf::io {
 /// The first bytes of an EXR file.
 inline constexpr std::string_view kExrMagic = "\x76\x2f\x31\x01";
 
-/// The same content gives the same bytes. Throws Refusal if OpenEXR fails or an array has not two
-/// axes.
+/// The same content gives the same bytes. Throws FormatError if OpenEXR fails or an array has not
+/// two axes.
 std::string write_exr(const StoredTables& stored);
 
 /// Reads the bytes of write_exr, or of another program that follows tables/FORMAT.md. They must be
-/// unharmed: OpenEXR does not survive every damage. Throws Refusal if OpenEXR fails.
+/// unharmed: OpenEXR does not survive every damage. Throws FormatError if OpenEXR fails.
 StoredTables read_exr(std::string_view bytes);
 
 }  // namespace vndf::io

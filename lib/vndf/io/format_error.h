@@ -1,5 +1,5 @@
-// Why some bytes are not a table file. Thrown by the code that judges bytes and does not know where
-// they came from; load() and save() add the name of the file.
+// The error of code that works on bytes and does not know in which file they are. load() and save()
+// catch it and add the name of the file.
 #pragma once
 
 #include <stdexcept>
@@ -7,10 +7,10 @@
 
 namespace vndf::io {
 
-/// The rule that is broken and what to do about it, as one sentence.
-class Refusal : public std::runtime_error {
+/// The message is one sentence: the rule that is broken, and what to do about it.
+class FormatError : public std::runtime_error {
  public:
-  Refusal(const std::string& rule, const std::string& remedy)
+  FormatError(const std::string& rule, const std::string& remedy)
       : std::runtime_error(rule + "; " + remedy) {}
 };
 

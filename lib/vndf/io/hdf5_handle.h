@@ -1,4 +1,5 @@
-// Ownership of the objects of the HDF5 library, and its errors as refusals.
+// HDF5 is a C library. This file closes its objects when they go out of scope and turns its error
+// codes into FormatError.
 #pragma once
 
 #include <hdf5.h>
@@ -10,10 +11,10 @@
 
 namespace vndf::io {
 
-/// Throws Refusal if an HDF5 call returned failure; `action` completes "HDF5 cannot ...".
+/// Throws FormatError if an HDF5 call returned failure; `action` completes "HDF5 cannot ...".
 template <class Result>
 Result hdf5_checked(Result result, const std::string& action) {
-  if (result < 0) throw Refusal("HDF5 cannot " + action, "make the file again with its recipe");
+  if (result < 0) throw FormatError("HDF5 cannot " + action, "build the table again");
   return result;
 }
 

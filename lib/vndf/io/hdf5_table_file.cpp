@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "vndf/io/hdf5_handle.h"
+#include "vndf/io/table_format.h"
 
 namespace vndf::io {
 namespace {
@@ -27,8 +28,8 @@ Hdf5Handle properties(hid_t type) {
 }
 
 /// Access to a file that is only in memory. Its layout is the oldest, the default of HDF5: newer
-/// ones check their metadata, which the seal does too, but HDF5 1.10.8 gets the check of a file's
-/// first block wrong in H5Fget_file_image.
+/// ones check their metadata, which the checksum trailer does too, but HDF5 1.10.8 gets the check
+/// of a file's first block wrong in H5Fget_file_image.
 Hdf5Handle memory_access() {
   Hdf5Handle access = properties(H5P_FILE_ACCESS);
   hdf5_checked(H5Pset_fapl_core(access, kGrowth, false), "work in memory");
@@ -65,7 +66,7 @@ void write_value(hid_t root, const std::string& name, const std::string& value) 
   write_attribute(root, name, type, type, value.c_str());
 }
 void write_value(hid_t, const std::string& name, NotUsed) {
-  throw Refusal("the attribute '" + name + "' has no value", "give it one");
+  throw FormatError("the attribute '" + name + "' has no value", "give it one");
 }
 
 /// Whole rows in chunks, shuffled, deflated and checksummed; no times of writing.

@@ -47,9 +47,9 @@ struct Pixels {
 
 [[noreturn]] void refuse_texel(const Pixels& pixels, std::size_t texel, const std::string& rule,
                                const std::string& remedy) {
-  throw Refusal("the texel in column " + std::to_string(texel % pixels.width) + " of row " +
-                    std::to_string(texel / pixels.width) + " " + rule,
-                remedy);
+  throw FormatError("the texel in column " + std::to_string(texel % pixels.width) + " of row " +
+                        std::to_string(texel / pixels.width) + " " + rule,
+                    remedy);
 }
 
 // Finding and reading the pixels.
@@ -84,9 +84,10 @@ void check_size(const Imath::Box2i& window) {
   const std::int64_t height = side(window.min.y, window.max.y);
   constexpr auto kMost = static_cast<std::int64_t>(kMaxMapSide);
   if (width < 1 || height < 1 || width > kMost || height > kMost)
-    throw Refusal("it has " + std::to_string(width) + " x " + std::to_string(height) + " texels",
-                  "give a map of at most " + std::to_string(kMost) + " x " + std::to_string(kMost) +
-                      " texels");
+    throw FormatError(
+        "it has " + std::to_string(width) + " x " + std::to_string(height) + " texels",
+        "give a map of at most " + std::to_string(kMost) + " x " + std::to_string(kMost) +
+            " texels");
 }
 
 /// Reads the rows from `first` to `last`, both included, to the end of `pixels`.
@@ -110,7 +111,7 @@ Pixels read_part(Imf::MultiPartInputFile& file, int index, const ChannelNames& n
   Imf::InputPart part(file, index);
   const Imath::Box2i window = part.header().dataWindow();
   check_size(window);
-  if (!file.partComplete(index)) throw Refusal("it ends too early", "copy it again");
+  if (!file.partComplete(index)) throw FormatError("it ends too early", "copy it again");
   Pixels pixels{static_cast<std::size_t>(window.max.x - window.min.x) + 1,
                 static_cast<std::size_t>(window.max.y - window.min.y) + 1,
                 names.size(),
@@ -126,7 +127,7 @@ Pixels read_pixels(const std::filesystem::path& path) {
   for (int part = 0; part < file.parts(); ++part)
     if (const auto names = known_channels(file.header(part)); !names.empty())
       return read_part(file, part, names);
-  throw Refusal("its channels are " + listed_channels(file), kAccepted);
+  throw FormatError("its channels are " + listed_channels(file), kAccepted);
 }
 
 // Making slopes of them.
@@ -175,8 +176,8 @@ SlopeImage slopes_from(const Pixels& pixels, NormalEncoding encoding) {
 
 SlopeImage read_slope_map(const std::filesystem::path& path, NormalEncoding encoding) try {
   return slopes_from(read_pixels(path), encoding);
-} catch (const Refusal& refusal) {
-  throw MapImageError(path.string() + ": " + refusal.what());
+} catch (const FormatError& error) {
+  throw MapImageError(path.string() + ": " + error.what());
 } catch (const std::exception& error) {
   throw MapImageError(path.string() + ": OpenEXR cannot read it: " + error.what() + "; " +
                       kAccepted);

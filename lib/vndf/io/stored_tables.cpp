@@ -7,8 +7,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "vndf/io/content_checksum.h"
 #include "vndf/io/crc64.h"
 #include "vndf/io/format_error.h"
+#include "vndf/io/table_format.h"
 
 namespace vndf::io {
 namespace {
@@ -16,7 +18,7 @@ namespace {
 using Shape = std::vector<std::size_t>;
 
 constexpr std::size_t kSegmentColumns = 4;
-constexpr char kRemake[] = "make the file again with its recipe";
+constexpr char kRemake[] = "build the table again";
 
 std::string certificate_name(const std::string& figure) {
   return "certificate_" + figure;
@@ -99,37 +101,37 @@ Array stored_segments(const LogCurve<double>& curve) {
 
 void check_size(const char* name, const QuantileTable& table) {
   if (std::max(table.rows(), table.columns()) > kMaxTableSide)
-    throw Refusal(std::string("the ") + name + " table is larger than the format allows (" +
-                      std::to_string(kMaxTableSide) + " rows or columns)",
-                  "make a smaller one");
+    throw FormatError(std::string("the ") + name + " table is larger than the format allows (" +
+                          std::to_string(kMaxTableSide) + " rows or columns)",
+                      "make a smaller one");
 }
 
 void check_size(const char* name, const LogCurve<double>& curve) {
   if (node_count(curve) > kMaxCurveNodes)
-    throw Refusal(std::string("the curve ") + name + " is longer than the format allows (" +
-                      std::to_string(kMaxCurveNodes) + " nodes)",
-                  "make a shorter one");
+    throw FormatError(std::string("the curve ") + name + " is longer than the format allows (" +
+                          std::to_string(kMaxCurveNodes) + " nodes)",
+                      "make a shorter one");
 }
 
 void check_size(const char* name, const std::string& text) {
   if (text.size() > kMaxTextBytes || text.find('\0') != std::string::npos)
-    throw Refusal(std::string("the text ") + name + " is longer than " +
-                      std::to_string(kMaxTextBytes) + " bytes or has a zero byte in it",
-                  "shorten it");
+    throw FormatError(std::string("the text ") + name + " is longer than " +
+                          std::to_string(kMaxTextBytes) + " bytes or has a zero byte in it",
+                      "shorten it");
 }
 
 void check_can_be_stored(const TableFile& file) {
-  if (!file.tables) throw Refusal("there are no tables to write", "set TableFile::tables");
+  if (!file.tables) throw FormatError("there are no tables to write", "set TableFile::tables");
   if (const auto broken = check(*file.tables))
-    throw Refusal("the tables to write break a rule: " + *broken, "make them again");
+    throw FormatError("the tables to write break a rule: " + *broken, "make them again");
   check_size("marginal", file.tables->marginal);
   check_size("conditional", file.tables->conditional);
   check_size("log_ndf", file.tables->log_ndf);
   check_size("log_backfacing", file.tables->log_backfacing);
   if (file.tables->marginal_map.size() > kMaxCurveNodes)
-    throw Refusal("the map of the marginal table is longer than the format allows (" +
-                      std::to_string(kMaxCurveNodes) + " nodes)",
-                  "make a shorter one");
+    throw FormatError("the map of the marginal table is longer than the format allows (" +
+                          std::to_string(kMaxCurveNodes) + " nodes)",
+                      "make a shorter one");
   check_size("distribution", file.tables->distribution);
   check_size("recipe", file.provenance.recipe);
   check_size("program", file.provenance.program);
@@ -143,29 +145,30 @@ template <class T>
 const T& attribute(const StoredTables& stored, const std::string& name) {
   const auto found = stored.attributes.find(name);
   if (found == stored.attributes.end())
-    throw Refusal("the attribute '" + name + "' is missing", kRemake);
+    throw FormatError("the attribute '" + name + "' is missing", kRemake);
   if (const T* value = std::get_if<T>(&found->second)) return *value;
-  throw Refusal("the attribute '" + name + "' is not " + kTypeName<T>, kRemake);
+  throw FormatError("the attribute '" + name + "' is not " + kTypeName<T>, kRemake);
 }
 
 const Array& array(const StoredTables& stored, const std::string& name) {
   const auto found = stored.arrays.find(name);
-  if (found == stored.arrays.end()) throw Refusal("the array '" + name + "' is missing", kRemake);
+  if (found == stored.arrays.end())
+    throw FormatError("the array '" + name + "' is missing", kRemake);
   return found->second;
 }
 
 template <class Values>
 const Values& values_of(const Array& array, const std::string& name) {
   if (const Values* values = std::get_if<Values>(&array.values)) return *values;
-  throw Refusal("the values of the array '" + name + "' are not " + kTypeName<Values>, kRemake);
+  throw FormatError("the values of the array '" + name + "' are not " + kTypeName<Values>, kRemake);
 }
 
 void check_coordinates(const StoredTables& stored) {
   const auto& name = attribute<std::string>(stored, "coordinates");
   if (name != kCoordinates)
-    throw Refusal("its coordinates '" + name + "' are unknown to this program, which knows '" +
-                      kCoordinates + "'",
-                  "use the program that wrote it, or make the file again");
+    throw FormatError("its coordinates '" + name + "' are unknown to this program, which knows '" +
+                          kCoordinates + "'",
+                      "use the program that wrote it, or make the file again");
 }
 
 void check_version(const StoredTables& stored) {
@@ -173,19 +176,19 @@ void check_version(const StoredTables& stored) {
   const int minor = attribute<int>(stored, "format_minor");
   const std::string version = "format " + std::to_string(major) + "." + std::to_string(minor);
   if (major < kFormatMajor)
-    throw Refusal(version + " is older than this program reads", "build the table again");
+    throw FormatError(version + " is older than this program reads", "build the table again");
   if (major > kFormatMajor)
-    throw Refusal(version + " is newer than this program reads",
-                  "use a newer program, or build the table again with this one");
+    throw FormatError(version + " is newer than this program reads",
+                      "use a newer program, or build the table again with this one");
 }
 
 void check_identity(const StoredTables& stored) {
   const auto type = stored.attributes.find("file_type");
   if (type == stored.attributes.end() || !std::holds_alternative<std::string>(type->second) ||
       std::get<std::string>(type->second) != kFileType)
-    throw Refusal(std::string("its attribute 'file_type' is not '") + kFileType +
-                      "', so another program wrote it",
-                  "give a file written by vndf");
+    throw FormatError(std::string("its attribute 'file_type' is not '") + kFileType +
+                          "', so another program wrote it",
+                      "give a file written by vndf");
   check_version(stored);
   check_coordinates(stored);
 }
@@ -196,10 +199,10 @@ QuantileTable table_of(const StoredTables& stored, const std::string& name) {
     return n >= least && n <= kMaxTableSide;
   };
   if (a.shape.size() != 2 || !in_range(a.shape[0], 2) || !in_range(a.shape[1], kFewestColumns))
-    throw Refusal("the array '" + name + "' has the shape " + text_of(a.shape) +
-                      ", not rows x columns, at least " + text_of({2, kFewestColumns}) +
-                      " and at most " + text_of({kMaxTableSide, kMaxTableSide}),
-                  kRemake);
+    throw FormatError("the array '" + name + "' has the shape " + text_of(a.shape) +
+                          ", not rows x columns, at least " + text_of({2, kFewestColumns}) +
+                          " and at most " + text_of({kMaxTableSide, kMaxTableSide}),
+                      kRemake);
   if (const auto* values = std::get_if<std::vector<double>>(&a.values))
     return QuantileTable::with_double_values(a.shape[0], a.shape[1], *values);
   return {a.shape[0], a.shape[1], values_of<std::vector<float>>(a, name)};
@@ -216,10 +219,10 @@ Rows rows_of(const StoredTables& stored, const std::string& name, std::size_t co
   const Array& a = array(stored, name);
   if (a.shape.size() != 2 || a.shape[1] != columns || a.shape[0] < least ||
       a.shape[0] > kMaxCurveNodes)
-    throw Refusal("the array '" + name + "' has the shape " + text_of(a.shape) + ", not rows x " +
-                      std::to_string(columns) + " with " + std::to_string(least) + " to " +
-                      std::to_string(kMaxCurveNodes) + " rows",
-                  kRemake);
+    throw FormatError("the array '" + name + "' has the shape " + text_of(a.shape) +
+                          ", not rows x " + std::to_string(columns) + " with " +
+                          std::to_string(least) + " to " + std::to_string(kMaxCurveNodes) + " rows",
+                      kRemake);
   return {values_of<std::vector<double>>(a, name), a.shape[0]};
 }
 
@@ -258,14 +261,14 @@ LogCurve<double> curve_of(const StoredTables& stored, const std::string& name, b
         {s[0], s[1], static_cast<Grading>(std::min(count_of(s[2]), std::size_t{3})), {}});
     const std::size_t count = count_of(s[3]);
     if (count > nodes.count - next)
-      throw Refusal("the array '" + name + "_segments' counts more nodes than '" + name + "' has",
-                    kRemake);
+      throw FormatError(
+          "the array '" + name + "_segments' counts more nodes than '" + name + "' has", kRemake);
     for (const std::size_t end = next + count; next < end; ++next)
       list.back().nodes.push_back({nodes.values[2 * next], nodes.values[2 * next + 1]});
   }
   if (next != nodes.count)
-    throw Refusal("the array '" + name + "_segments' counts fewer nodes than '" + name + "' has",
-                  kRemake);
+    throw FormatError(
+        "the array '" + name + "_segments' counts fewer nodes than '" + name + "' has", kRemake);
   return {std::move(list), open};
 }
 
@@ -288,16 +291,16 @@ SlopeTables tables_of(const StoredTables& stored) {
 
 void check_content(const StoredTables& stored, const SlopeTables& tables) {
   if (attribute<std::string>(stored, "content_checksum") != hex_digits(content_checksum(tables)))
-    throw Refusal("it is damaged: its tables do not match its attribute 'content_checksum'",
-                  "copy it again, or make it again with its recipe");
+    throw FormatError("it is damaged: its tables do not match its attribute 'content_checksum'",
+                      "copy it again, or build it again");
 }
 
 std::shared_ptr<const SlopeTables> checked(SlopeTables tables) {
   try {
     return share(std::move(tables));
   } catch (const std::invalid_argument& broken) {
-    throw Refusal(std::string("it breaks a rule of ") + broken.what(),
-                  "correct the program that wrote it");
+    throw FormatError(std::string("it breaks a rule of ") + broken.what(),
+                      "correct the program that wrote it");
   }
 }
 

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "vndf/io/table_file.h"
+#include "vndf/io/table_content.h"
 
 namespace vndf::io {
 
@@ -40,10 +40,11 @@ struct StoredTables {
 /// table_format.h. A reader leaves the values of any other array NotUsed and allocates nothing.
 bool may_read(const std::vector<std::size_t>& shape);
 
-/// Throws Refusal if the tables are missing or break a rule of check() or a limit of the format.
+/// Throws FormatError if the tables are missing or break a rule of check() or a limit of the
+/// format.
 StoredTables to_stored(const TableFile& file);
 
-/// Throws Refusal with the first rule that is broken: the file's type, version, name of
+/// Throws FormatError with the first rule that is broken: the file's type, version, name of
 /// coordinates, attributes and arrays with their types and shapes, content checksum, check().
 TableFile from_stored(const StoredTables& stored);
 

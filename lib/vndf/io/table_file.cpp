@@ -1,4 +1,5 @@
-// Loading and saving: file, seal, format, rules, each in its own place.
+// To load a file is to read its bytes, to check its trailer, to decode its format and to check its
+// content. To save one is the reverse. Each step is in a file of its own.
 #include "vndf/io/table_file.h"
 
 #include <algorithm>
@@ -15,20 +16,20 @@
 namespace vndf::io {
 namespace {
 
-/// What `action` returns; a Refusal that it throws gets the name of the file.
+/// Returns what `action` returns. Adds the name of the file to a FormatError that it throws.
 template <class Action>
 auto naming(const std::filesystem::path& path, Action action) {
   try {
     return action();
-  } catch (const Refusal& refusal) {
-    throw TableFileError(path.string() + ": " + refusal.what());
+  } catch (const FormatError& error) {
+    throw TableFileError(path.string() + ": " + error.what());
   }
 }
 
 Format format_of(std::string_view bytes) {
   if (bytes.starts_with(kHdf5Magic)) return Format::hdf5;
   if (bytes.starts_with(kExrMagic)) return Format::exr;
-  throw Refusal("it is neither an HDF5 nor an EXR file", "give a file written by vndf");
+  throw FormatError("it is neither an HDF5 nor an EXR file", "give a file written by vndf");
 }
 
 std::string encoded(Format format, const StoredTables& stored) {
@@ -53,14 +54,14 @@ Format format_for(const std::filesystem::path& path) {
 
 void save(const std::filesystem::path& path, const TableFile& file) {
   const Format format = format_for(path);
-  naming(path, [&] { replace_file(path, sealed(encoded(format, to_stored(file)))); });
+  naming(path, [&] { replace_file(path, with_trailer(encoded(format, to_stored(file)))); });
 }
 
 TableFile load(const std::filesystem::path& path) {
   return naming(path, [&] {
-    const std::string bytes = read_whole_file(path);
+    const std::string bytes = read_file(path);
     const Format format = format_of(bytes);
-    return from_stored(decoded(format, unsealed(bytes)));
+    return from_stored(decoded(format, without_trailer(bytes)));
   });
 }
 
