@@ -10,6 +10,7 @@
 #include "commands/commands.h"
 #include "commands/output_file.h"
 #include "commands/verdicts.h"
+#include "report/verdict_text.h"
 #include "vndf/distributions/parse_distribution.h"
 #include "vndf/validate/records.h"
 #include "vndf/validate/sampler/sampler_under_test.h"

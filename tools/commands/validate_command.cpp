@@ -13,6 +13,7 @@
 #include "commands/output_file.h"
 #include "commands/verdicts.h"
 #include "report/validation_report.h"
+#include "report/verdict_text.h"
 #include "vndf/validate/sampler/named_samplers.h"
 
 namespace vndf::tools {

@@ -1,62 +1,13 @@
-// What the judging commands share.
+// The slope distribution of the tables in a file, for the commands that validate against it.
 #include "commands/verdicts.h"
 
-#include <fmt/format.h>
-
-#include <cmath>
 #include <filesystem>
 #include <random>
 #include <stdexcept>
 
 #include "commands/distribution_source.h"
-#include "vndf/distributions/parse_distribution.h"
 
 namespace vndf::tools {
-namespace {
-
-using validate::Finding;
-using validate::Kind;
-using validate::Place;
-using validate::Verdict;
-
-/// "theta 60, alpha 2 x 1, u 0.5, 0.25" with what applies.
-std::string text_of(const Place& p) {
-  std::string text;
-  if (!std::isnan(p.theta))
-    text = fmt::format("theta {:.6g}, alpha {:.4g} x {:.4g}", p.theta, p.alpha_x, p.alpha_y);
-  if (!std::isnan(p.u1)) text += fmt::format(", u1 {:.7g}", p.u1);
-  if (!std::isnan(p.u2)) text += fmt::format(", u2 {:.7g}", p.u2);
-  return text;
-}
-
-std::string row(const Finding& f) {
-  const char* sign = f.kind == Kind::error ? "<=" : "p >=";
-  return fmt::format("  {:<4}  {:<11}{:<30}{:>10.3g}  {:>4} {:<10.3g} {}\n",
-                     f.passed() ? "pass" : "FAIL", f.stage, f.statistic, f.measured, sign, f.bound,
-                     remark(f));
-}
-
-nlohmann::ordered_json to_json(const Finding& f) {
-  nlohmann::ordered_json json{{"stage", f.stage},
-                              {"statistic", f.statistic},
-                              {"kind", f.kind == Kind::error ? "error" : "p-value"},
-                              {"measured", f.measured},
-                              {"bound", f.bound},
-                              {"passed", f.passed()}};
-  const auto add = [&](const char* name, double value) {
-    if (!std::isnan(value)) json[name] = value;
-  };
-  add("theta", f.where.theta);
-  add("alpha_x", f.where.alpha_x);
-  add("alpha_y", f.where.alpha_y);
-  add("u1", f.where.u1);
-  add("u2", f.where.u2);
-  if (f.tests > 0) json["tests"] = f.tests;
-  if (!f.note.empty()) json["note"] = f.note;
-  return json;
-}
-
-}  // namespace
 
 std::unique_ptr<distributions::SlopeDistribution> distribution_of(
     const std::string& recipe, const std::string& input_checksum) {
@@ -86,34 +37,6 @@ bool names_a_file(const std::string& argument) {
   const auto extension = std::filesystem::path(argument).extension();
   return extension == ".h5" || extension == ".hdf5" || extension == ".exr" ||
          names_baked_tables(argument) || std::filesystem::is_regular_file(argument);
-}
-
-std::string remark(const Finding& f) {
-  std::string text = text_of(f.where);
-  if (!f.note.empty()) text += (text.empty() ? "" : "; ") + f.note;
-  return text;
-}
-
-std::string describe(const Verdict& verdict) {
-  std::string text = fmt::format("{}: {}\n", verdict.subject, verdict.passed() ? "pass" : "FAIL");
-  for (const Finding& f : verdict.findings) text += row(f);
-  if (verdict.samples > 0)
-    text += fmt::format(
-        "  {} samples counted; those of one configuration show errors of {:.1e} in u and of "
-        "{:.1e} in the mass of a bin\n",
-        verdict.samples, verdict.visible_u_error, verdict.visible_bin_error);
-  return text;
-}
-
-nlohmann::ordered_json to_json(const Verdict& verdict) {
-  auto findings = nlohmann::ordered_json::array();
-  for (const Finding& f : verdict.findings) findings.push_back(to_json(f));
-  return {{"subject", verdict.subject},
-          {"passed", verdict.passed()},
-          {"samples", verdict.samples},
-          {"visible_u_error", verdict.visible_u_error},
-          {"visible_bin_error", verdict.visible_bin_error},
-          {"findings", findings}};
 }
 
 std::uint64_t fresh_seed() {

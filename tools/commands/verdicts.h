@@ -1,13 +1,12 @@
-// What the judging commands share: the law that a name or a table file stands for, and how verdicts
-// are shown.
+// What the commands that validate share: the distribution that a table file stands for, and a seed.
 #pragma once
 
+#include <cstdint>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "commands/table_files.h"
-#include "vndf/validate/validate.h"
+#include "vndf/distributions/slope_distribution.h"
 
 namespace vndf::tools {
 
@@ -20,15 +19,6 @@ std::unique_ptr<distributions::SlopeDistribution> distribution_of(const AnyTable
 
 /// True if `argument` is the path of a file or looks like one.
 bool names_a_file(const std::string& argument);
-
-/// Where a finding is and what is to be said of it, in words.
-std::string remark(const validate::Finding& finding);
-
-/// A table, one line for each finding.
-std::string describe(const validate::Verdict& verdict);
-
-/// Place, tests and note are left out where they do not apply.
-nlohmann::ordered_json to_json(const validate::Verdict& verdict);
 
 /// A fresh seed from the machine, printed so that a run can be repeated.
 std::uint64_t fresh_seed();

@@ -7,7 +7,7 @@
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
 
-#include "commands/verdicts.h"
+#include "report/verdict_text.h"
 
 namespace vndf::tools {
 namespace {
