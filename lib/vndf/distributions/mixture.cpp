@@ -25,7 +25,8 @@ std::string text_of(const Mixture::Component& c) {
 
 }  // namespace
 
-Mixture::Mixture(std::vector<Component> components) : components_(std::move(components)) {
+Mixture::Mixture(std::vector<Component> components, const std::string& name)
+    : components_(std::move(components)) {
   if (components_.empty()) throw std::invalid_argument("mixture: it has no components");
   double total = 0;
   for (std::size_t i = 0; i < components_.size(); ++i) {
@@ -38,6 +39,7 @@ Mixture::Mixture(std::vector<Component> components) : components_(std::move(comp
     name_ += (i == 0 ? "mixture:" : "+") + text_of(c);
     total += c.weight;
   }
+  if (!name.empty()) name_ = name;
   for (auto& c : components_) c.weight /= total;
 }
 

@@ -22,9 +22,9 @@ class Mixture final : public SlopeDistribution {
 
   /// Throws std::invalid_argument for no components, no distribution, or a weight or roughness that
   /// is not finite and > 0.
-  explicit Mixture(std::vector<Component> components);
+  /// An empty `name` stands for "mixture:0.7*ggx+0.3*beckmann@0.2", with the weights as given.
+  explicit Mixture(std::vector<Component> components, const std::string& name = {});
 
-  /// "mixture:0.7*ggx+0.3*beckmann@0.2", with the weights as given.
   std::string name() const override { return name_; }
   double p22(double r) const override;
   bool costly() const override;

@@ -1,0 +1,32 @@
+// Where tables came from. Every file of tables carries this, so that the distribution can be made
+// again anywhere: a validator must know the distribution that a sampler claims to follow.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace vndf {
+
+/// Names a slope distribution completely. distributions::make_distribution() makes it.
+struct Specification {
+  /// One line, such as "student-t:gamma=3" or "p22:'exp(-k*r)' param:k=2". The grammar is in
+  /// vndf/distributions/specification.h. Empty where a program made the tables of a distribution of
+  /// its own, which nothing but that program can make again.
+  std::string text;
+  /// The samples of a measured profile, as many radii as densities: p22[i] at slope radius r[i].
+  /// Empty for every other kind.
+  std::vector<double> r = {}, p22 = {};
+
+  bool operator==(const Specification&) const = default;
+};
+
+struct Provenance {
+  Specification specification;
+  std::string command = {};  ///< how the file was made, for people; nothing reads it
+  std::string program = {};  ///< name and version of the program that wrote the file
+  std::string notes = {};    ///< what was found while it was made, for people; lines, or empty
+
+  bool operator==(const Provenance&) const = default;
+};
+
+}  // namespace vndf
