@@ -66,6 +66,7 @@ class KernelDirection {
 
 class Kernel {
  public:
+  using Scalar = float;
   static constexpr bool kVisible = true;
 
   /// For KernelTables, which has checked that nothing is read outside the block.

@@ -38,6 +38,7 @@ HomogeneousSlope<T> joined_slope(const SlopeFraction<T>& x, T scale, const Slope
 template <class T>
 class TabulatedSampler {
  public:
+  using Scalar = T;
   static constexpr bool kVisible = true;
 
   /// Shares `tables`, which must not be null.

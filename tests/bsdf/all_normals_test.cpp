@@ -7,12 +7,12 @@
 using namespace vndf;
 using namespace vndf::test;
 
-static_assert(NormalSampler<AllNormals<double, ExactGgx<double>>, double>);
-static_assert(!AllNormals<double, ExactGgx<double>>::kVisible);
+static_assert(NormalSampler<AllNormals<ExactGgx<double>>, double>);
+static_assert(!AllNormals<ExactGgx<double>>::kVisible);
 
 TEST_CASE("the density of all normals is D(wm) wm.z, whatever the incident direction") {
   const ExactGgx<double> ggx;
-  const AllNormals<double, ExactGgx<double>> all(ggx);
+  const AllNormals<ExactGgx<double>> all(ggx);
   RandomInputs random(1);
   for (int i = 0; i < 1000; ++i) {
     const auto in = random.hard();
@@ -27,7 +27,7 @@ TEST_CASE("the density of all normals is D(wm) wm.z, whatever the incident direc
 
 TEST_CASE("all normals of GGX have the slopes of its closed quantile") {
   // P(slope / alpha < r) = r^2 / (1 + r^2), and the azimuth is uniform.
-  const AllNormals<double, ExactGgx<double>> all{ExactGgx<double>{}};
+  const AllNormals<ExactGgx<double>> all{ExactGgx<double>{}};
   const auto grazing = direction_at<double>(89);
   for (const double u1 : {0.05, 0.3, 0.8})
     for (const double u2 : {0.01, 0.5, 0.99}) {

@@ -2,6 +2,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "support/bsdf_inputs.h"
@@ -17,16 +19,15 @@ using namespace vndf::test;
 namespace {
 
 using Ggx = ExactGgx<double>;
-using AllGgx = AllNormals<double, Ggx>;
+using AllGgx = AllNormals<Ggx>;
 template <class Sampler, class Masking>
-using Mirror = ConductorBrdf<double, Sampler, Masking, PerfectMirror<double>>;
-using Gold = ConductorFresnel<double, 3>;
+using Mirror = ConductorBrdf<Sampler, PerfectMirror<double>, Masking>;
 
 /// evaluate(), pdf() and sample() are the same few products: relative rounding where the half
 /// vector is well conditioned, alpha >= 0.05.
 constexpr double kAgreement = 1e-9;
 
-const Gold kGold{{{{0.14, 4.1}, {0.37, 2.3}, {1.44, 1.8}}}};
+const ConductorFresnel kGold{{0.14, 0.37, 1.44}, {4.1, 2.3, 1.8}};
 const Ggx kGgx;
 const AllGgx kAllGgx{kGgx};
 const ExactVCavity kVCavity{kAllGgx};
@@ -100,14 +101,14 @@ void check_hard_cases(const Sampler& sampler, std::uint64_t seed, bool visible) 
     const T u3 = static_cast<T>(random.uniform());
     CAPTURE(i, wi.x, wi.y, wi.z, a.x, a.y, u1, u2, u3, sizeof(T));
 
-    const ConductorBrdf<T, Sampler, Masking, PerfectMirror<T>> brdf(sampler, a, {});
+    const ConductorBrdf brdf(sampler, a, PerfectMirror<T>{}, Masking{});
     const auto drawn = brdf.sample(wi, u1, u2);
     REQUIRE(sound<T>(std::array{drawn.weight[0], drawn.pdf, brdf.pdf(wi, drawn.wo),
                                 brdf.evaluate(wi, drawn.wo)[0]}));
     if (visible) REQUIRE(drawn.weight[0] <= 1);
 
     for (const T eta : {T(0.25), T(1) / T(1.5), T(1), std::nextafter(T(1), T(2)), T(1.5), T(4)}) {
-      const DielectricBsdf<T, Sampler, Masking> bsdf(sampler, a, eta);
+      const DielectricBsdf bsdf(sampler, a, eta, Masking{});
       for (const Vec3<T>& w : {wi, Vec3<T>{wi.x, wi.y, -wi.z}}) {
         const auto sent = bsdf.sample(w, u1, u2, u3);
         CAPTURE(eta, sent.wo.x, sent.wo.y, sent.wo.z);
@@ -122,25 +123,43 @@ void check_hard_cases(const Sampler& sampler, std::uint64_t seed, bool visible) 
 template <class T>
 void check_hard_cases_of(const char* distribution) {
   const TabulatedSampler<T> tabulated(small_tables(distribution).tables);
-  const AllNormals<T, TabulatedSampler<T>> all(tabulated);
+  const AllNormals<TabulatedSampler<T>> all(tabulated);
   CAPTURE(distribution);
   check_hard_cases<T, TabulatedSampler<T>, SmithSeparable>(tabulated, 1, true);
   check_hard_cases<T, TabulatedSampler<T>, SmithCorrelated>(tabulated, 2, true);
-  check_hard_cases<T, AllNormals<T, TabulatedSampler<T>>, SmithCorrelated>(all, 3, false);
-  check_hard_cases<T, AllNormals<T, TabulatedSampler<T>>, VCavityMasking>(all, 4, false);
+  check_hard_cases<T, AllNormals<TabulatedSampler<T>>, SmithCorrelated>(all, 3, false);
+  check_hard_cases<T, AllNormals<TabulatedSampler<T>>, VCavityMasking>(all, 4, false);
 }
+
+// The types follow from the arguments, and no BSDF may refer to a sampler that is gone.
+template <class... A>
+concept Conductor = requires(A&&... a) {
+  ConductorBrdf(std::forward<A>(a)...);
+};
+template <class... A>
+concept Dielectric = requires(A&&... a) {
+  DielectricBsdf(std::forward<A>(a)...);
+};
+using Gold = ConductorFresnel<double, 3>;
+static_assert(std::is_same_v<decltype(kGold), const Gold>);
+static_assert(std::is_same_v<decltype(ConductorBrdf(kGgx, {0.3, 0.1}, kGold)),
+                             ConductorBrdf<Ggx, Gold, SmithCorrelated>>);
+static_assert(std::is_same_v<decltype(ConductorBrdf(kVCavity, {0.3, 0.1}, kGold, VCavityMasking{})),
+                             ConductorBrdf<ExactVCavity, Gold, VCavityMasking>>);
+static_assert(std::is_same_v<decltype(DielectricBsdf(kGgx, {0.3, 0.1}, 1.5)),
+                             DielectricBsdf<Ggx, SmithCorrelated>>);
+static_assert(Conductor<Ggx&, Alpha<double>, Gold> && !Conductor<Ggx, Alpha<double>, Gold>);
+static_assert(Dielectric<Ggx&, Alpha<double>, double> && !Dielectric<Ggx, Alpha<double>, double>);
 
 }  // namespace
 
 TEST_CASE("the BRDF is the same read backwards") {
   RandomInputs random(1);
   for_each_surface([&](const char* name, const auto& sampler, auto masking) {
-    using Masking = decltype(masking);
     for (int i = 0; i < 500; ++i) {
       const auto wi = random_direction(random, 89), wo = random_direction(random, 89);
       const Alpha<double> alpha{0.05 + random.uniform(), 0.05 + random.uniform()};
-      const ConductorBrdf<double, std::decay_t<decltype(sampler)>, Masking, Gold> brdf(
-          sampler, alpha, kGold);
+      const ConductorBrdf brdf(sampler, alpha, kGold, masking);
       const auto there = brdf.evaluate(wi, wo), back = brdf.evaluate(wo, wi);
       CAPTURE(name, i);
       for (std::size_t c = 0; c < 3; ++c)
@@ -153,13 +172,11 @@ TEST_CASE("the BSDF of a dielectric is the same read backwards, but for the squa
   RandomInputs random(2);
   int transmitted = 0;
   for_each_surface([&](const char* name, const auto& sampler, auto masking) {
-    using Masking = decltype(masking);
     for (const double eta : {0.66, 1.33, 2.4})
       for (int i = 0; i < 500; ++i) {
         const auto wi = random_direction(random, 180), wo = random_direction(random, 180);
         const Alpha<double> alpha{0.05 + random.uniform(), 0.05 + random.uniform()};
-        const DielectricBsdf<double, std::decay_t<decltype(sampler)>, Masking> bsdf(sampler, alpha,
-                                                                                    eta);
+        const DielectricBsdf bsdf(sampler, alpha, eta, masking);
         const auto index_squared = [&](const auto& w) { return w.z > 0 ? 1 : eta * eta; };
         const double there = bsdf.evaluate(wi, wo) / std::abs(wo.z) / index_squared(wo);
         const double back = bsdf.evaluate(wo, wi) / std::abs(wi.z) / index_squared(wi);
@@ -174,8 +191,8 @@ TEST_CASE("the BSDF of a dielectric is the same read backwards, but for the squa
 TEST_CASE("the visible normals have mass 1, also as outgoing directions (weak white furnace)") {
   for (const auto& c : kConfigurations) {
     const auto wi = direction_at<double>(c.degrees, c.azimuth);
-    const Microsurface<double, Ggx, SmithSeparable> smith(kGgx, c.alpha);
-    const Microsurface<double, ExactVCavity, VCavityMasking> cavities(kVCavity, c.alpha);
+    const Microsurface<Ggx, SmithSeparable> smith(kGgx, c.alpha);
+    const Microsurface<ExactVCavity, VCavityMasking> cavities(kVCavity, c.alpha);
     CAPTURE(c.degrees, c.alpha.x, c.alpha.y);
     CHECK(over_hemisphere([&](const auto& m) { return smith.visible_density(wi, m); }) ==
           Approx(1).margin(1e-4));
@@ -193,8 +210,8 @@ TEST_CASE("the visible normals have mass 1, also as outgoing directions (weak wh
 }
 
 TEST_CASE("the visible density has its limit at the horizon") {
-  const Microsurface<double, Ggx, SmithSeparable> smith(kGgx, {0.3, 0.5});
-  const Microsurface<double, ExactVCavity, VCavityMasking> cavities(kVCavity, {0.3, 0.5});
+  const Microsurface<Ggx, SmithSeparable> smith(kGgx, {0.3, 0.5});
+  const Microsurface<ExactVCavity, VCavityMasking> cavities(kVCavity, {0.3, 0.5});
   const auto m = direction_at<double>(40, 30);
   const auto near = direction_at<double>(90 - 1e-7, 10);
   const Vec3<double> at{std::cos(10 * kDegree), std::sin(10 * kDegree), 0};
@@ -207,7 +224,7 @@ TEST_CASE("no surface reflects more than falls on it, and quadrature and samples
   for_each_surface([&](const char* name, const auto& sampler, auto masking) {
     for (const auto& c : kConfigurations) {
       const auto wi = direction_at<double>(c.degrees, c.azimuth);
-      const Mirror<std::decay_t<decltype(sampler)>, decltype(masking)> brdf(sampler, c.alpha, {});
+      const ConductorBrdf brdf(sampler, c.alpha, PerfectMirror<double>{}, masking);
       const double energy =
           over_hemisphere([&](const auto& wo) { return brdf.evaluate(wi, wo)[0]; });
       const Mean sampled =
@@ -227,8 +244,7 @@ TEST_CASE("no dielectric sends out more than falls on it, from either side, by b
     for (const auto& c : kConfigurations)
       for (const double eta : {0.66, 1.5}) {
         const auto wi = direction_at<double>(c.degrees, c.azimuth);
-        const DielectricBsdf<double, std::decay_t<decltype(sampler)>, decltype(masking)> bsdf(
-            sampler, c.alpha, eta);
+        const DielectricBsdf bsdf(sampler, c.alpha, eta, masking);
         const auto energy_of = [&](bool above) {
           return over_hemisphere(
               [&](const auto& wo) { return bsdf.evaluate(wi, above ? wo : mirrored(wo)); }, 350);
@@ -261,8 +277,7 @@ TEST_CASE("the mass of pdf is the part of the samples that is kept") {
   for_each_surface([&](const char* name, const auto& sampler, auto masking) {
     for (const auto& c : kConfigurations) {
       const auto wi = direction_at<double>(c.degrees, c.azimuth);
-      const DielectricBsdf<double, std::decay_t<decltype(sampler)>, decltype(masking)> bsdf(
-          sampler, c.alpha, 1.5);
+      const DielectricBsdf bsdf(sampler, c.alpha, 1.5, masking);
       const double mass = over_sphere([&](const auto& wo) { return bsdf.pdf(wi, wo); }, 350);
       const Mean kept =
           mean_of([&](double u1, double u2,
@@ -277,14 +292,13 @@ TEST_CASE("the mass of pdf is the part of the samples that is kept") {
 TEST_CASE("what sample() returns is f cos / pdf and pdf of the direction drawn") {
   RandomInputs random(3);
   for_each_surface([&](const char* name, const auto& sampler, auto masking) {
-    using Sampler = std::decay_t<decltype(sampler)>;
     for (int i = 0; i < 2000; ++i) {
       const auto wi = random_direction(random, 89.9);
       const Alpha<double> alpha{0.05 + random.uniform(), 0.05 + random.uniform()};
       const double u1 = random.uniform(), u2 = random.uniform(), u3 = random.uniform();
       CAPTURE(name, i, wi.z, alpha.x, alpha.y, u1, u2, u3);
 
-      const ConductorBrdf<double, Sampler, decltype(masking), Gold> brdf(sampler, alpha, kGold);
+      const ConductorBrdf brdf(sampler, alpha, kGold, masking);
       if (const auto drawn = brdf.sample(wi, u1, u2); drawn.pdf > 0) {
         REQUIRE(brdf.pdf(wi, drawn.wo) == Approx(drawn.pdf).epsilon(kAgreement));
         const auto f = brdf.evaluate(wi, drawn.wo);
@@ -293,7 +307,7 @@ TEST_CASE("what sample() returns is f cos / pdf and pdf of the direction drawn")
       }
       for (const double eta : {0.66, 1.5})
         for (const auto& w : {wi, mirrored(wi)}) {
-          const DielectricBsdf<double, Sampler, decltype(masking)> bsdf(sampler, alpha, eta);
+          const DielectricBsdf bsdf(sampler, alpha, eta, masking);
           const auto drawn = bsdf.sample(w, u1, u2, u3);
           if (!(drawn.pdf > 0)) continue;
           CAPTURE(eta, drawn.wo.z);
@@ -344,7 +358,7 @@ TEST_CASE("Algorithm 1 weighs a normal by G2 (wi.wm) / (wi.z wm.z)") {
 
 TEST_CASE("the third random number chooses reflection with the probability of Fresnel") {
   const auto wi = direction_at<double>(60);
-  const DielectricBsdf<double, Ggx, SmithCorrelated> bsdf(kGgx, {0.1, 0.1}, 1.5);
+  const DielectricBsdf bsdf(kGgx, {0.1, 0.1}, 1.5);
   const auto m = kGgx.sample(wi, {0.1, 0.1}, 0.3, 0.4);
   const double f = fresnel_dielectric(dot(wi, m), 1.5);
   CHECK(bsdf.sample(wi, 0.3, 0.4, f * 0.999).wo.z > 0);
@@ -353,7 +367,7 @@ TEST_CASE("the third random number chooses reflection with the probability of Fr
 
 TEST_CASE("total internal reflection is reflected whatever the third random number") {
   const auto wi = direction_at<double>(60);
-  const DielectricBsdf<double, Ggx, SmithCorrelated> bsdf(kGgx, {0.01, 0.01}, 1 / 1.5);
+  const DielectricBsdf bsdf(kGgx, {0.01, 0.01}, 1 / 1.5);
   for (const double u3 : {0.0, 0.5, 1.0, 2.0}) {
     const auto drawn = bsdf.sample(wi, 0.3, 0.4, u3);
     CHECK(drawn.wo.z > 0);
@@ -363,7 +377,7 @@ TEST_CASE("total internal reflection is reflected whatever the third random numb
 
 TEST_CASE("between equal indices light passes straight through") {
   const auto wi = direction_at<double>(60, 10);
-  const DielectricBsdf<double, Ggx, SmithCorrelated> bsdf(kGgx, {0.5, 0.5}, 1.0);
+  const DielectricBsdf bsdf(kGgx, {0.5, 0.5}, 1.0);
   const auto drawn = bsdf.sample(wi, 0.3, 0.4, 0.0);
   CHECK((drawn.wo.x == -wi.x && drawn.wo.y == -wi.y && drawn.wo.z == -wi.z));
   CHECK(drawn.weight > 0.5);
@@ -383,7 +397,7 @@ TEST_CASE("hard cases: finite and non-negative everywhere, visible weights at mo
 TEST_CASE("an input outside its range gives 0") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const Mirror<Ggx, SmithCorrelated> brdf(kGgx, {0.5, 0.5}, {});
-  const DielectricBsdf<double, Ggx, SmithCorrelated> bsdf(kGgx, {0.5, 0.5}, 1.5);
+  const DielectricBsdf bsdf(kGgx, {0.5, 0.5}, 1.5);
   const auto up = direction_at<double>(30), down = direction_at<double>(120);
   const std::vector<Vec3<double>> wrong{{nan, 0, 1}, {0, nan, 1}, {0, 0, nan}};
   CHECK(brdf.sample(down, 0.5, 0.5).weight[0] == 0);

@@ -121,8 +121,9 @@ TEST_CASE("a conductor without absorption is a dielectric") {
 }
 
 TEST_CASE("each channel of a metal has its own index, and a perfect mirror reflects 1") {
-  const ConductorFresnel<double, 3> gold{{{{0.14, 4.1}, {0.37, 2.3}, {1.44, 1.8}}}};
+  const ConductorFresnel gold{{0.14, 0.37, 1.44}, {4.1, 2.3, 1.8}};
   const auto f = gold(0.7);
-  for (std::size_t i = 0; i < 3; ++i) CHECK(f[i] == fresnel_conductor(0.7, gold.index[i]));
+  for (std::size_t i = 0; i < 3; ++i)
+    CHECK(f[i] == fresnel_conductor(0.7, {gold.eta[i], gold.k[i]}));
   CHECK(PerfectMirror<double>{}(0.3)[0] == 1);
 }

@@ -20,7 +20,7 @@ static_assert(NormalSampler<GgxNdf<double>, double>);
 static_assert(NormalSampler<BlinnPhongNdf<float>, float>);
 static_assert(NormalSampler<GeneralisedTrowbridgeReitzNdf<float>, float>);
 static_assert(NormalSampler<GeneralisedTrowbridgeReitzNdf<double>, double>);
-static_assert(NormalSampler<WalterRoughness<float, GgxNdf<float>>, float>);
+static_assert(NormalSampler<WalterRoughness<GgxNdf<float>>, float>);
 
 namespace {
 
@@ -223,7 +223,7 @@ TEST_CASE("generalised Trowbridge-Reitz: GGX's masking errs as stated, dark abov
 
 TEST_CASE("Walter's trick samples at the widened roughness and evaluates at the true one") {
   const GgxNdf<double> inner;
-  const WalterRoughness<double, GgxNdf<double>> sampler;
+  const WalterRoughness<GgxNdf<double>> sampler;
   const Alpha<double> alpha{0.2, 0.5};
   const auto wi = direction_at<double>(80, 30), wm = direction_at<double>(20, 70);
   const double factor = 1.2 - 0.2 * std::sqrt(wi.z);
@@ -238,7 +238,7 @@ TEST_CASE("Walter's trick samples at the widened roughness and evaluates at the 
 }
 
 TEST_CASE("Walter's trick is none at normal incidence and widens by 1.2 at the horizon") {
-  using Walter = WalterRoughness<double, GgxNdf<double>>;
+  using Walter = WalterRoughness<GgxNdf<double>>;
   CHECK(Walter::widened({0, 0, 1}, {0.5, 2}).x == 0.5);
   CHECK(Walter::widened({1, 0, 0}, {0.5, 2}).y == Approx(2.4));
 }

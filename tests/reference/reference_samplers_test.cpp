@@ -43,8 +43,8 @@ void for_each_sampler(Visit visit) {
   visit("blinn-phong ndf", BlinnPhongNdf<T>());
   visit("gtr 1 ndf", GeneralisedTrowbridgeReitzNdf<T>(GtrProfile(1)));
   visit("gtr 10 ndf", GeneralisedTrowbridgeReitzNdf<T>(GtrProfile(10)));
-  visit("walter", WalterRoughness<T, BeckmannNdf<T>>());
-  visit("v-cavity", VCavity<T, GgxNdf<T>>());
+  visit("walter", WalterRoughness<BeckmannNdf<T>>());
+  visit("v-cavity", VCavity<GgxNdf<T>>());
 }
 
 /// The analytic methods take a cone for normal incidence, where normals may face away from wi.

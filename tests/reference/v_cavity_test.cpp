@@ -13,13 +13,13 @@
 using namespace vndf;
 using namespace vndf::test;
 
-static_assert(NormalSampler<VCavity<float, GgxNdf<float>>, float>);
-static_assert(NormalSampler<VCavity<double, BeckmannNdf<double>>, double>);
+static_assert(NormalSampler<VCavity<GgxNdf<float>>, float>);
+static_assert(NormalSampler<VCavity<BeckmannNdf<double>>, double>);
 
 namespace {
 
 template <class T>
-using GgxCavity = VCavity<T, GgxNdf<T>>;
+using GgxCavity = VCavity<GgxNdf<T>>;
 
 /// Normals to (turns of the stretched azimuth, 1 - 1 / (1 + r^2)): uniform for all GGX normals.
 struct PolarLaw {
@@ -74,7 +74,7 @@ const Alpha<double> kAlpha{0.3, 0.9};
 
 TEST_CASE("V-cavity masking conserves the projected area and its pdf integrates to 1") {
   const GgxCavity<double> ggx;
-  const VCavity<double, BlinnPhongNdf<double>> blinn_phong;
+  const VCavity<BlinnPhongNdf<double>> blinn_phong;
   for (const double degrees : {0.0, 30.0, 75.0, 89.0}) {
     CAPTURE(degrees);
     const auto wi = direction_at<double>(degrees, 35);

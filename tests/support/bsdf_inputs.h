@@ -15,7 +15,7 @@
 namespace vndf::test {
 
 /// The visible normals of V-cavities of GGX (Algorithm 3).
-using ExactVCavity = VCavity<double, AllNormals<double, ExactGgx<double>>>;
+using ExactVCavity = VCavity<AllNormals<ExactGgx<double>>>;
 
 /// A direction uniform in theta and azimuth.
 inline Vec3<double> random_direction(RandomInputs& random, double largest_degrees) {

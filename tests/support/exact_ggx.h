@@ -13,6 +13,7 @@ namespace vndf::test {
 template <class T>
 class ExactGgx {
  public:
+  using Scalar = T;
   static constexpr bool kVisible = true;
 
   Vec3<T> sample(const Vec3<T>& wi, const Alpha<T>& alpha, T u1, T u2) const noexcept {

@@ -26,6 +26,7 @@ inline std::shared_ptr<const validate::SlopeLaw> law_of(const std::string& speci
 template <class T, class Forms>
 class ClosedFunctions {
  public:
+  using Scalar = T;
   static constexpr bool kVisible = true;
 
   T d(const Vec3<T>& wm, const Alpha<T>& alpha) const noexcept {
@@ -121,6 +122,7 @@ class InverseBeckmann : public ClosedFunctions<T, BeckmannForms> {
 template <class T>
 class Wrapped {
  public:
+  using Scalar = T;
   static constexpr bool kVisible = true;
   explicit Wrapped(std::shared_ptr<const SlopeTables> tables) : good_(std::move(tables)) {}
 

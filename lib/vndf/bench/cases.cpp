@@ -69,9 +69,8 @@ void add_ggx(std::vector<Case>& list) {
   list.push_back(
       reference<float, GgxExact<float>>("exact, in double", d, GgxExactMethod::kFloatError));
   list.push_back(reference<float, GgxNdf<float>>("all normals", d, {}));
-  list.push_back(
-      reference<float, WalterRoughness<float, GgxNdf<float>>>("all normals, widened", d, {}));
-  list.push_back(reference<float, VCavity<float, GgxNdf<float>>>("V-cavities", d, {}));
+  list.push_back(reference<float, WalterRoughness<GgxNdf<float>>>("all normals, widened", d, {}));
+  list.push_back(reference<float, VCavity<GgxNdf<float>>>("V-cavities", d, {}));
 }
 
 void add_beckmann(std::vector<Case>& list) {
@@ -84,8 +83,8 @@ void add_beckmann(std::vector<Case>& list) {
                                                         BeckmannExactMethod::kFloatError));
   list.push_back(reference<float, BeckmannNdf<float>>("all normals", d, {}));
   list.push_back(
-      reference<float, WalterRoughness<float, BeckmannNdf<float>>>("all normals, widened", d, {}));
-  list.push_back(reference<float, VCavity<float, BeckmannNdf<float>>>("V-cavities", d, {}));
+      reference<float, WalterRoughness<BeckmannNdf<float>>>("all normals, widened", d, {}));
+  list.push_back(reference<float, VCavity<BeckmannNdf<float>>>("V-cavities", d, {}));
 }
 
 // Tables.

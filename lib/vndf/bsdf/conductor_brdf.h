@@ -1,9 +1,9 @@
-// Reflection by a rough metal, over any sampler of normals (Heitz and d'Eon 2014, section 2):
+// Reflection by a rough metal, with any sampler of normals (Heitz and d'Eon 2014, section 2):
 //
 //   f(wi, wo) = F(wi, wm) G2(wi, wo, wm) D(wm) / (4 wi.z wo.z),   wm the half vector of wi and wo.
 //
-// In terms of visible normals, f wo.z = F (G2 / G1) D_wi(wm) |d wm / d wo|, which is finite up to
-// the horizon. Directions point away from the surface, wi is above it.
+// We evaluate it through visible normals, f wo.z = F (G2 / G1) D_wi(wm) |d wm / d wo|, because each
+// factor of this is finite up to the horizon. Directions point away from the surface.
 #pragma once
 
 #include <utility>
@@ -14,18 +14,27 @@
 
 namespace vndf {
 
-/// `Fresnel` takes wi.wm to an array of reflectances in [0, 1], one for each channel of colour. No
-/// function throws or allocates; an input that is not a number or below its horizon gives 0.
-template <class T, class Sampler, class Masking, class Fresnel>
+/// The BRDF of a rough metal. The constructor deduces the types:
+///
+///     const vndf::ConductorBrdf metal(ggx, {0.3f, 0.1f}, gold);
+///     const vndf::ConductorBrdf grooves(cavities, {0.3f, 0.1f}, gold, vndf::VCavityMasking{});
+///
+/// `Fresnel` maps wi.wm to an array of reflectances in [0, 1], one for each channel of colour
+/// (ConductorFresnel). No function throws or allocates. A component that is not a number, wi below
+/// the horizon and wo not above it give 0.
+template <class Sampler, class Fresnel, class Masking = SmithCorrelated>
 class ConductorBrdf {
+  using T = typename Sampler::Scalar;
+
  public:
   using Value = decltype(std::declval<const Fresnel&>()(T(1)));
 
-  /// `sampler` must outlive this object.
-  ConductorBrdf(const Sampler& sampler, const Alpha<T>& alpha, const Fresnel& fresnel)
+  /// Refers to `sampler`, which must outlive this object. Valid: what the sampler says of alpha.
+  ConductorBrdf(const Sampler& sampler, const Alpha<T>& alpha, const Fresnel& fresnel, Masking = {})
       : surface_(sampler, alpha), fresnel_(fresnel) {}
+  ConductorBrdf(const Sampler&&, const Alpha<T>&, const Fresnel&, Masking = {}) = delete;
 
-  /// f(wi, wo) wo.z, for each channel.
+  /// f(wi, wo) wo.z for each channel.
   Value evaluate(const Vec3<T>& wi, const Vec3<T>& wo) const noexcept {
     if (!above(wi, wo)) return Value{};
     const Vec3<T> wm = reflection_half_vector(wi, wo);
@@ -36,7 +45,8 @@ class ConductorBrdf {
     return scaled(fresnel_(cosine), surface_.shadowing_of_reflection(wi, wo, wm) * density);
   }
 
-  /// Density with which sample() draws wo. Its integral is 1 less the part that is lost.
+  /// Density with which sample() draws wo, per solid angle. Its integral is 1 minus the
+  /// probability that the light is lost.
   T pdf(const Vec3<T>& wi, const Vec3<T>& wo) const noexcept {
     if (!above(wi, wo)) return T(0);
     const Vec3<T> wm = reflection_half_vector(wi, wo);
@@ -44,8 +54,8 @@ class ConductorBrdf {
     return outgoing_density(surface_.pdf(wi, wm), reflection_jacobian(dot(wi, wm)));
   }
 
-  /// Draws wo with weight f wo.z / pdf: F G2 / G1 for visible normals (Algorithm 2), which is never
-  /// above 1; F G2 (wi.wm) / (wi.z wm.z) for all normals (Algorithm 1).
+  /// Draws wo. Its weight f wo.z / pdf is F G2 / G1 for visible normals (Algorithm 2), never above
+  /// 1, and F G2 (wi.wm) / (wi.z wm.z) for all normals (Algorithm 1), which has no bound.
   BsdfSample<T, Value> sample(const Vec3<T>& wi, T u1, T u2) const noexcept {
     const WeightedNormal<T> normal = surface_.sample_normal(wi, u1, u2);
     const Vec3<T> wo = reflect(wi, normal.wm);
@@ -64,7 +74,7 @@ class ConductorBrdf {
     return value;
   }
 
-  Microsurface<T, Sampler, Masking> surface_;
+  Microsurface<Sampler, Masking> surface_;
   Fresnel fresnel_;
 };
 

@@ -1,11 +1,12 @@
-// Reflection and transmission by a rough dielectric, over any sampler of normals (Heitz and d'Eon
+// Reflection and transmission by a rough dielectric, with any sampler of normals (Heitz and d'Eon
 // 2014, section 2). With the Fresnel reflectance F of the facet wm that joins wi and wo,
 //
-//   f |wo.z| = R (G2 / G1) D_wi(wm) |d wm / d wo|,   R = F in reflection, 1 - F in transmission,
+//   f |wo.z| = R (G2 / G1) D_wi(wm) |d wm / d wo|,   R = F in reflection, 1 - F in transmission.
 //
-// which is the paper's f_r and f_t with the common factors gathered into D_wi. It counts energy, so
-// that a surface without loss sends out all that comes in; f_t(wi, wo) / n_o^2 is the same read
-// backwards, and radiance along a transmitted wi is that along wo times (n_i / n_o)^2.
+// These are the paper's f_r and f_t with their common factors gathered into D_wi, which is finite
+// up to the horizon. f transports energy: a surface without loss sends out all that comes in. Hence
+// f_t(wi, wo) / n_o^2 is symmetric in the two directions, and a renderer that transports radiance
+// along a transmitted wi multiplies that along wo by (n_i / n_o)^2.
 #pragma once
 
 #include <optional>
@@ -16,18 +17,24 @@
 
 namespace vndf {
 
-/// No function throws or allocates; an input that is not a number gives 0. wi may be on either side
-/// of the surface. At eta = 1 transmission is a delta function at -wi: sample() draws it with its
-/// weight and the pdf 0, evaluate() and pdf() are 0.
-template <class T, class Sampler, class Masking>
+/// The BSDF of a rough dielectric. The constructor deduces the types, for example
+/// `vndf::DielectricBsdf glass(ggx, {0.3f, 0.1f}, 1.5f)`.
+///
+/// wi and wo may be on either side of the surface. No function throws or allocates. A component
+/// that is not a number gives 0. At eta = 1 transmission is a delta function at -wi: sample() draws
+/// it with its weight and a pdf of 0, while evaluate() and pdf() give 0 there.
+template <class Sampler, class Masking = SmithCorrelated>
 class DielectricBsdf {
- public:
-  /// `eta` > 0 is the refractive index below the surface over that above. `sampler` must outlive
-  /// this object.
-  DielectricBsdf(const Sampler& sampler, const Alpha<T>& alpha, T eta)
-      : surface_(sampler, alpha), eta_(eta) {}
+  using T = typename Sampler::Scalar;
 
-  /// f(wi, wo) |wo.z|, wo on either side.
+ public:
+  /// `eta` > 0 is the refractive index below the surface over that above. Refers to `sampler`,
+  /// which must outlive this object. Valid: what the sampler says of alpha.
+  DielectricBsdf(const Sampler& sampler, const Alpha<T>& alpha, T eta, Masking = {})
+      : surface_(sampler, alpha), eta_(eta) {}
+  DielectricBsdf(const Sampler&&, const Alpha<T>&, T, Masking = {}) = delete;
+
+  /// f(wi, wo) |wo.z|.
   T evaluate(const Vec3<T>& wi, const Vec3<T>& wo) const noexcept {
     if (wi.z < T(0)) return inside_out().evaluate(mirrored(wi), mirrored(wo));
     const Facet facet = facet_between(wi, wo);
@@ -35,16 +42,17 @@ class DielectricBsdf {
     return density > T(0) ? facet.chance * shadowing(wi, wo, facet.wm) * density : T(0);
   }
 
-  /// Density with which sample() draws wo. Its integral is 1 less the part that is lost.
+  /// Density with which sample() draws wo, per solid angle. Its integral is 1 minus the
+  /// probability that the light is lost.
   T pdf(const Vec3<T>& wi, const Vec3<T>& wo) const noexcept {
     if (wi.z < T(0)) return inside_out().pdf(mirrored(wi), mirrored(wo));
     const Facet facet = facet_between(wi, wo);
     return facet.chance * outgoing_density(surface_.pdf(wi, facet.wm), facet.jacobian);
   }
 
-  /// Draws a normal by u1 and u2, then reflects with probability F, where u3 < F, or transmits. The
-  /// weight is f |wo.z| / pdf: G2 / G1 for visible normals (Algorithm 2), which is never above 1;
-  /// G2 (wi.wm) / (wi.z wm.z) for all normals (Algorithm 1).
+  /// Draws a normal with u1 and u2, then reflects where u3 < F and transmits elsewhere. The weight
+  /// f |wo.z| / pdf is G2 / G1 for visible normals (Algorithm 2), never above 1, and
+  /// G2 (wi.wm) / (wi.z wm.z) for all normals (Algorithm 1), which has no bound.
   BsdfSample<T, T> sample(const Vec3<T>& wi, T u1, T u2, T u3) const noexcept {
     if (wi.z < T(0)) {
       auto drawn = inside_out().sample(mirrored(wi), u1, u2, u3);
@@ -65,14 +73,14 @@ class DielectricBsdf {
   }
 
  private:
-  /// What joins two directions.
+  /// The facet that sends wi to wo.
   struct Facet {
     Vec3<T> wm;
     T chance;    // F or 1 - F
     T jacobian;  // |d wo / d wm|
   };
 
-  /// The dielectric seen from below, turned over: D is the same turned by 180 degrees.
+  /// The same surface seen from below. Its facets are turned by 180 degrees, and D is the same.
   DielectricBsdf inside_out() const { return {surface_.sampler(), surface_.alpha(), T(1) / eta_}; }
   static Vec3<T> mirrored(const Vec3<T>& w) { return {w.x, w.y, -w.z}; }
 
@@ -97,7 +105,7 @@ class DielectricBsdf {
                        : surface_.shadowing_of_transmission(wi, wo, wm);
   }
 
-  Microsurface<T, Sampler, Masking> surface_;
+  Microsurface<Sampler, Masking> surface_;
   T eta_;
 };
 

@@ -64,19 +64,26 @@ T fresnel_conductor(T cosine, const ComplexIndex<T>& index) noexcept {
   return std::min(T(1), T(0.5) * square(cosine - a, b) / norm_s * (T(1) + ratio));
 }
 
-/// Reflectance of a metal in N channels of colour.
+/// Reflectance of a metal in N channels of colour, for example of gold in red, green and blue:
+///
+///     const vndf::ConductorFresnel gold{{0.14f, 0.37f, 1.44f}, {4.1f, 2.3f, 1.8f}};
 template <class T, std::size_t N>
 struct ConductorFresnel {
-  std::array<ComplexIndex<T>, N> index;
+  std::array<T, N> eta, k;  ///< The complex refractive index eta + i k of each channel.
 
+  /// fresnel_conductor() at `cosine` for each channel.
   std::array<T, N> operator()(T cosine) const noexcept {
     std::array<T, N> f;
-    for (std::size_t i = 0; i < N; ++i) f[i] = fresnel_conductor(cosine, index[i]);
+    for (std::size_t i = 0; i < N; ++i) f[i] = fresnel_conductor(cosine, {eta[i], k[i]});
     return f;
   }
 };
 
-/// A metal that reflects everything: what is left is masking and shadowing (white furnace tests).
+template <class T, std::size_t N>
+ConductorFresnel(const T (&eta)[N], const T (&k)[N]) -> ConductorFresnel<T, N>;
+
+/// A metal that reflects everything, so that only masking and shadowing are left (for white furnace
+/// tests).
 template <class T>
 struct PerfectMirror {
   std::array<T, 1> operator()(T) const noexcept { return {T(1)}; }

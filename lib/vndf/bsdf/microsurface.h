@@ -1,6 +1,6 @@
-// A rough surface as a BSDF sees it: a sampler of normals, a roughness and a masking model. The two
-// ways of sampling a BSDF differ only here: Algorithm 2 of Heitz and d'Eon 2014 draws visible
-// normals, Algorithm 1 all normals with a weight that makes up for it.
+// A rough surface as a BSDF sees it: a sampler of normals, a roughness and a masking model. Heitz
+// and d'Eon 2014 sample a BSDF in two ways, which differ only here: Algorithm 2 draws visible
+// normals, and Algorithm 1 draws all normals and weights them by how visible they are.
 #pragma once
 
 #include <algorithm>
@@ -10,55 +10,61 @@
 
 namespace vndf {
 
-/// Unit normals and what they are worth.
+/// A unit normal that a BSDF draws, with its weight.
 template <class T>
 struct WeightedNormal {
   Vec3<T> wm;
-  T weight;  ///< D_wi(wm) / pdf: 1 for a sampler of visible normals
-  T pdf;     ///< of the sampler, per solid angle of wm; 0 where the normal is not to be used
+  T weight;  ///< D_wi(wm) / pdf, which is 1 for a sampler of visible normals
+  T pdf;     ///< of the sampler, per solid angle of wm; 0 where the normal must not be used
 };
 
-/// `Masking` must be the model whose visible normals `Sampler` draws, if it draws visible ones:
-/// Smith's for TabulatedSampler and the analytic samplers of slopes, VCavityMasking for
-/// Algorithm 3.
-template <class T, class Sampler, class Masking>
-requires NormalSampler<Sampler, T> && MaskingModel<Masking, Sampler, T>
+/// The surface whose normals `Sampler` draws. If it draws visible ones, `Masking` must be the model
+/// that they are visible in: one of Smith's for Kernel, TabulatedSampler and the samplers of slopes
+/// in closed form, VCavityMasking for VCavity (Algorithm 3).
+template <NormalSampler Sampler, class Masking = SmithCorrelated>
+requires MaskingModel<Masking, Sampler, typename Sampler::Scalar>
 class Microsurface {
+  using T = typename Sampler::Scalar;
+
  public:
-  /// `sampler` must outlive this object. Valid: what the sampler says of alpha.
-  Microsurface(const Sampler& sampler, const Alpha<T>& alpha) : sampler_(&sampler), alpha_(alpha) {}
+  /// Refers to `sampler`, which must outlive this object. Valid: what the sampler says of alpha.
+  Microsurface(const Sampler& sampler, const Alpha<T>& alpha, Masking = {})
+      : sampler_(&sampler), alpha_(alpha) {}
 
   const Sampler& sampler() const noexcept { return *sampler_; }
   const Alpha<T>& alpha() const noexcept { return alpha_; }
 
-  /// D_wi(wm) = (G1(wi, wm) / wi.z) (wi.wm)+ D(wm) (equation 2), for wi.z >= 0; finite up to the
-  /// horizon.
+  /// D_wi(wm) = (G1(wi, wm) / wi.z) (wi.wm)+ D(wm) (equation 2), finite up to the horizon; 0 below
+  /// it.
   T visible_density(const Vec3<T>& wi, const Vec3<T>& wm) const noexcept {
     const T cosine = dot(wi, wm);
     if (!(wi.z >= T(0) && cosine > T(0))) return T(0);
-    // G1 / wi.z has a limit at the horizon, which is reached long before this height.
+    // At the horizon G1 / wi.z is 0 / 0. Its limit is reached long before this height.
     constexpr T kLowest = T(1e-15);
     const Vec3<T> above{wi.x, wi.y, std::max(wi.z, kLowest)};
     return Masking::g1(*sampler_, above, wm, alpha_) / above.z * cosine * sampler_->d(wm, alpha_);
   }
 
-  /// Density of the normals that sample_normal() draws and that wi sees, for wi.z >= 0.
+  /// Density with which sample_normal() draws `wm`; 0 for a facet that faces away from wi, or for
+  /// wi below the horizon.
   T pdf(const Vec3<T>& wi, const Vec3<T>& wm) const noexcept {
     return wi.z >= T(0) && dot(wi, wm) > T(0) ? sampler_->pdf(wi, wm, alpha_) : T(0);
   }
 
-  /// Draws a normal for wi.z >= 0. The weight is 0 for a normal that faces away, never above 1 for
-  /// visible normals, and (wi.wm) G1 / (wi.z wm.z) for all normals (Algorithm 1 but for G2 / G1).
+  /// Draws a normal for wi.z >= 0. Its weight is 0 where the facet faces away. Otherwise it is 1
+  /// for a sampler of visible normals, and (wi.wm) G1 / (wi.z wm.z) for one of all normals, which
+  /// is the weight of Algorithm 1 without G2 / G1.
   WeightedNormal<T> sample_normal(const Vec3<T>& wi, T u1, T u2) const noexcept {
     const Vec3<T> wm = sampler_->sample(wi, alpha_, u1, u2);
     const T density = pdf(wi, wm);
     if (!(density > T(0))) return {wm, T(0), T(0)};
     if constexpr (Sampler::kVisible) return {wm, T(1), density};
-    // By the two densities rather than by 1 / wm.z, for a sampler that widens D on purpose.
+    // The quotient of the densities also holds for a sampler that widens D on purpose, where
+    // 1 / wm.z does not.
     return {wm, visible_density(wi, wm) / density, density};
   }
 
-  /// G2 / G1(wi) of wi and wo above the surface, in [0, 1].
+  /// G2 / G1(wi) in [0, 1] for wi and wo above the surface; 0 for wo on or below it.
   T shadowing_of_reflection(const Vec3<T>& wi, const Vec3<T>& wo,
                             const Vec3<T>& wm) const noexcept {
     if (!(wo.z > T(0))) return T(0);
@@ -66,7 +72,7 @@ class Microsurface {
                                             Masking::g1(*sampler_, wo, wm, alpha_));
   }
 
-  /// The same of wi above and wo below.
+  /// G2 / G1(wi) in [0, 1] for wi above the surface and wo below; 0 for wo on or above it.
   T shadowing_of_transmission(const Vec3<T>& wi, const Vec3<T>& wo,
                               const Vec3<T>& wm) const noexcept {
     if (!(wo.z < T(0))) return T(0);
@@ -79,8 +85,8 @@ class Microsurface {
   Alpha<T> alpha_;
 };
 
-/// What a BSDF draws. Where the light is lost, for the facet is not seen or wo leaves on the wrong
-/// side, weight and pdf are 0 and wo means nothing.
+/// A direction that a BSDF draws. Light is lost where the facet faces away or wo leaves on the
+/// wrong side; then weight and pdf are 0 and wo means nothing.
 template <class T, class Value>
 struct BsdfSample {
   Vec3<T> wo;

@@ -29,6 +29,7 @@ struct Elevation {
 template <class T, class Profile, class Masking>
 class AzimuthalNdf : public Masking {
  public:
+  using Scalar = T;
   static constexpr bool kVisible = false;
 
   explicit AzimuthalNdf(const Profile& profile = Profile()) : profile_(profile) {}

@@ -13,6 +13,7 @@ namespace vndf {
 template <class T, class Shape>
 class ShapeNdf : public SmithSurface<T, Shape> {
  public:
+  using Scalar = T;
   static constexpr bool kVisible = false;
 
   /// Draws a normal from D(wm) wm.z, whatever `wi` is: its azimuth from u1, its elevation from u2.

@@ -73,6 +73,7 @@ Probability<double> in_double(const Probability<T>& p) {
 template <class T, class Shape, class Method>
 class VisibleSampler : public SmithSurface<T, Shape> {
  public:
+  using Scalar = T;
   static constexpr bool kVisible = true;
 
   /// Draws a normal visible from `wi` (wi.z >= 0). Any u is accepted; outside [0, 1] it is moved to

@@ -12,9 +12,12 @@
 namespace vndf {
 
 /// Around any sampler of all normals.
-template <class T, class NdfSampler>
+template <class NdfSampler>
 class VCavity {
+  using T = typename NdfSampler::Scalar;
+
  public:
+  using Scalar = T;
   static_assert(!NdfSampler::kVisible, "the V-cavity model is built on a sampler of all normals");
   static constexpr bool kVisible = true;
 

@@ -11,9 +11,12 @@ namespace vndf {
 
 /// Around any sampler of all normals: sample() and pdf() at the widened roughness, d(), lambda()
 /// and g1() at the true one. The pdf is therefore not D(wm) wm.z.
-template <class T, class NdfSampler>
+template <class NdfSampler>
 class WalterRoughness {
+  using T = typename NdfSampler::Scalar;
+
  public:
+  using Scalar = T;
   static_assert(!NdfSampler::kVisible, "Walter's trick is for samplers of all normals");
   static constexpr bool kVisible = false;
 

@@ -45,8 +45,8 @@ Bsdf brighter(const Bsdf& bsdf, double factor) {
 
 TEST_CASE("a surface of Smith and one of V-cavities conserve area and energy") {
   const Subject cavities =
-      make_subject("cavities", law_of("ggx"), VCavity<float, GgxNdf<float>>{},
-                   VCavity<double, GgxNdf<double>>{}, {.law = NormalLaw::visible_v_cavity});
+      make_subject("cavities", law_of("ggx"), VCavity<GgxNdf<float>>{}, VCavity<GgxNdf<double>>{},
+                   {.law = NormalLaw::visible_v_cavity});
   for (const Subject& subject : {caps(), cavities})
     for (const Finding& f : test_furnace(subject, {})) {
       CAPTURE(subject.name, f.statistic, f.measured, f.bound, f.where.theta);

@@ -19,7 +19,7 @@ using namespace vndf::validate;
 namespace {
 
 using Ggx = ExactGgx<double>;
-using AllGgx = AllNormals<double, Ggx>;
+using AllGgx = AllNormals<Ggx>;
 
 /// Largest distance of two right means in standard errors: 1 in 1e5 comparisons is beyond, and the
 /// seeds are fixed.
@@ -51,8 +51,9 @@ const EstimatorResult& find(const std::vector<EstimatorResult>& results, const s
 /// The pixel by quadrature over wo.
 template <class Masking>
 double exact_radiance(const VarianceOptions& options) {
-  const ConductorBrdf<double, Ggx, Masking, ConductorFresnel<double, 1>> brdf(Ggx{}, options.alpha,
-                                                                              {{options.metal}});
+  const ConductorFresnel<double, 1> metal{{options.metal.eta}, {options.metal.k}};
+  const Ggx ggx;
+  const ConductorBrdf brdf(ggx, options.alpha, metal, Masking{});
   const auto wi = incident_direction(options);
   return over_hemisphere(
       [&](const auto& wo) { return brdf.evaluate(wi, wo)[0] * options.light.radiance(wo); });

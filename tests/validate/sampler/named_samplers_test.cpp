@@ -46,7 +46,7 @@ const std::vector<std::string> kDefective{"beckmann-analytic", "ggx-analytic", "
 
 /// Walter's trick with its constants exchanged: 0.8 + 0.2 sqrt(cos(theta)) instead of 1.2 - ...
 template <class T>
-class WidenedWrongly : public WalterRoughness<T, GgxNdf<T>> {
+class WidenedWrongly : public WalterRoughness<GgxNdf<T>> {
  public:
   Vec3<T> sample(const Vec3<T>& wi, const Alpha<T>& alpha, T u1, T u2) const noexcept {
     const T factor = T(0.8) + T(0.2) * std::sqrt(std::abs(wi.z));

@@ -35,9 +35,9 @@ void add_analytic(std::vector<Estimator>& list, const std::string& distribution)
 
 std::vector<Estimator> named_estimators(const std::shared_ptr<const SlopeTables>& tables) {
   const TabulatedSampler<double> visible(tables);
-  const AllNormals<double, TabulatedSampler<double>> all(visible);
-  const WalterRoughness<double, AllNormals<double, TabulatedSampler<double>>> walter(all);
-  const VCavity<double, AllNormals<double, TabulatedSampler<double>>> cavities(all);
+  const AllNormals<TabulatedSampler<double>> all(visible);
+  const WalterRoughness<AllNormals<TabulatedSampler<double>>> walter(all);
+  const VCavity<AllNormals<TabulatedSampler<double>>> cavities(all);
   std::vector<Estimator> list{
       make_estimator<SmithCorrelated>("algorithm-1", "smith", all),
       make_estimator<SmithCorrelated>("algorithm-1-walter", "smith", walter),

@@ -100,8 +100,8 @@ requires NormalSampler<Sampler, double> Estimator make_estimator(std::string nam
                                                                  Sampler sampler) {
   const auto run_block = [sampler = std::move(sampler)](const VarianceOptions& options,
                                                         BlockRandom random) {
-    const ConductorBrdf<double, Sampler, Masking, ConductorFresnel<double, 1>> brdf(
-        sampler, options.alpha, {{options.metal}});
+    const ConductorFresnel<double, 1> metal{{options.metal.eta}, {options.metal.k}};
+    const ConductorBrdf brdf(sampler, options.alpha, metal, Masking{});
     const Vec3<double> wi = incident_direction(options);
     Tally tally;
     for (std::uint64_t i = 0; i < kBlockSamples; ++i) {

@@ -15,6 +15,7 @@ class FrozenSurface {
  public:
   static_assert(!NdfSampler::kVisible,
                 "surfaces of visible normals are shape-invariant as they are");
+  using Scalar = T;
   static constexpr bool kVisible = false;
 
   /// The surface that `sampler` has at the roughness `frozen`, in both directions.

@@ -56,13 +56,13 @@ NamedSubject frozen(std::string name, const std::string& distribution, const S& 
 }
 
 template <class T>
-using GgxCavity = VCavity<T, GgxNdf<T>>;
+using GgxCavity = VCavity<GgxNdf<T>>;
 template <class T>
-using BeckmannCavity = VCavity<T, BeckmannNdf<T>>;
+using BeckmannCavity = VCavity<BeckmannNdf<T>>;
 template <class T>
-using GgxWalter = WidenedSurface<T, WalterRoughness<T, GgxNdf<T>>>;
+using GgxWalter = WidenedSurface<T, WalterRoughness<GgxNdf<T>>>;
 template <class T>
-using BeckmannWalter = WidenedSurface<T, WalterRoughness<T, BeckmannNdf<T>>>;
+using BeckmannWalter = WidenedSurface<T, WalterRoughness<BeckmannNdf<T>>>;
 template <class T>
 using Gtr = GeneralisedTrowbridgeReitzNdf<T>;
 

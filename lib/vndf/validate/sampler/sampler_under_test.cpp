@@ -48,6 +48,7 @@ std::size_t columns_of(const KernelHeader& header) {
 template <class T>
 class SharedKernel {
  public:
+  using Scalar = T;
   static constexpr bool kVisible = true;
 
   explicit SharedKernel(const KernelTables& tables) : tables_(tables), kernel_(tables.kernel()) {}

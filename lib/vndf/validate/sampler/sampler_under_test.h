@@ -146,12 +146,12 @@ void set_bsdfs_of(Subject& s, const S& sampler) {
   };
   s.mirror = [sampler](const Configuration& c, std::span<const Vec3<double>> wo,
                        std::span<double> f) {
-    const ConductorBrdf<T, S, M, PerfectMirror<T>> brdf(sampler, alpha_of<T>(c.alpha), {});
+    const ConductorBrdf brdf(sampler, alpha_of<T>(c.alpha), PerfectMirror<T>{}, M{});
     evaluate_batch<T>(brdf, c, wo, f);
   };
   s.glass = [sampler](const Configuration& c, std::span<const Vec3<double>> wo,
                       std::span<double> f) {
-    const DielectricBsdf<T, S, M> bsdf(sampler, alpha_of<T>(c.alpha), static_cast<T>(kGlassIndex));
+    const DielectricBsdf bsdf(sampler, alpha_of<T>(c.alpha), static_cast<T>(kGlassIndex), M{});
     evaluate_batch<T>(bsdf, c, wo, f);
   };
 }

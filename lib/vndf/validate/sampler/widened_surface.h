@@ -15,6 +15,7 @@ template <class T, class Widening>
 class WidenedSurface {
  public:
   static_assert(!Widening::kVisible, "Walter's trick is for samplers of all normals");
+  using Scalar = T;
   static constexpr bool kVisible = false;
 
   explicit WidenedSurface(Widening sampler = Widening()) : sampler_(std::move(sampler)) {}
