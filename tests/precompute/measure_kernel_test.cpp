@@ -98,18 +98,18 @@ TEST_CASE("without the law the certificate is the pair's with the differences, a
   CHECK(c.max_d_error == built.certificate.max_d_error + kBakedWithin);
 }
 
-TEST_CASE("the judge passes a kernel and rejects that of another law") {
-  const auto judged = [](const std::string& law, const KernelTables& tables) {
-    const auto own = std::make_shared<validate::SlopeLaw>(parse_distribution("ggx"));
-    const KernelTables certified = tables.with_certificate(measured(law, tables.kernel()), true);
-    return validate::judge(
-        validate::kernel_subject(law, own, certified),
+TEST_CASE("the validator passes a kernel and rejects that of another distribution") {
+  const auto verdict_of = [](const std::string& name, const KernelTables& tables) {
+    const auto own = std::make_shared<validate::ExactSlopes>(parse_distribution("ggx"));
+    const KernelTables certified = tables.with_certificate(measured(name, tables.kernel()), true);
+    return validate::validate_sampler(
+        validate::baked_tables_under_test(name, own, certified),
         {.thoroughness = validate::Thoroughness::quick, .seed = 5, .stop_at_first_failure = true});
   };
-  const validate::Verdict right = judged("ggx", baked_tables("ggx"));
-  for (const auto& f : right.findings) {
-    CAPTURE(f.stage, f.statistic, f.measured, f.bound);
+  const validate::Verdict right = verdict_of("ggx", baked_tables("ggx"));
+  for (const auto& f : right.results) {
+    CAPTURE(f.check, f.statistic, f.measured, f.bound);
     CHECK(f.passed());
   }
-  CHECK_FALSE(judged("beckmann", baked_tables("beckmann")).passed());
+  CHECK_FALSE(verdict_of("beckmann", baked_tables("beckmann")).passed());
 }

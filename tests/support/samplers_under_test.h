@@ -1,5 +1,5 @@
-// Samplers for the judge to judge: exact ones, and exact ones with one mistake each. They compute
-// in double precision and return T.
+// Samplers for the validator to check: exact ones, and exact ones with one mistake each. They
+// compute in double precision and return T.
 #pragma once
 
 #include <algorithm>
@@ -17,9 +17,9 @@
 
 namespace vndf::test {
 
-/// The law of a specification, made once.
-inline std::shared_ptr<const validate::SlopeLaw> law_of(const std::string& specification) {
-  return std::make_shared<validate::SlopeLaw>(distributions::parse_distribution(specification));
+/// The distribution of a specification, made once.
+inline std::shared_ptr<const validate::ExactSlopes> exact_slopes(const std::string& specification) {
+  return std::make_shared<validate::ExactSlopes>(distributions::parse_distribution(specification));
 }
 
 /// The functions of a sampler in closed form.
@@ -53,8 +53,8 @@ class ClosedFunctions {
   }
 };
 
-/// GGX by spherical caps (Dupuy and Benyoub 2023): an exact law whose map is not monotone. `Turn`
-/// gives the azimuth in the cap.
+/// GGX by spherical caps (Dupuy and Benyoub 2023): an exact distribution whose map is not monotone.
+/// `Turn` gives the azimuth in the cap.
 struct FullTurn {
   static double phi(double u) { return 2 * std::numbers::pi * u; }
 };
@@ -81,7 +81,7 @@ class CapsGgx : public ClosedFunctions<T, GgxForms> {
   }
 };
 
-/// Beckmann by root finding on its closed CDF: the monotone inverse map.
+/// Beckmann by root result on its closed CDF: the monotone inverse map.
 template <class T>
 class InverseBeckmann : public ClosedFunctions<T, BeckmannForms> {
  public:

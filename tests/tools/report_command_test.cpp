@@ -80,11 +80,11 @@ TEST_CASE("validate --report writes a page that needs no other file, with its da
   for (const char* outside : {"http", "<script", "<link", "url(", "@import"})
     CHECK(count_of(page, outside) == 0);
 
-  // each verdict with all of its findings
+  // each verdict with all of its results
   const auto json = nlohmann::json::parse(content(folder / "v.json"));
-  std::size_t findings = 0;
-  for (const auto& subject : json.at("subjects")) findings += subject.at("findings").size();
-  CHECK(count_of(page, "class=\"place\"") == findings);
+  std::size_t results = 0;
+  for (const auto& sampler : json.at("samplers")) results += sampler.at("results").size();
+  CHECK(count_of(page, "class=\"place\"") == results);
   CHECK_THAT(page, contains("seed 7") && contains("a&amp;b.h5") && !contains("a&b.h5"));
 
   // the files that it links to are the files that are there
@@ -106,7 +106,7 @@ TEST_CASE("a report of a failure says so, the status is still 1, and the next on
   const Folder folder;
   CHECK(folder.run("validate ggx-analytic --quick --seed 7 --report page").status == 1);
   CHECK_THAT(content(folder / "page/index.html"),
-             contains("1 judged, 1 failed") && contains("map: u-error of slope y"));
+             contains("1 checked, 1 failed") && contains("inverse: u-error of slope y"));
   CHECK(folder.run("validate ggx-ndf --quick --seed 7 --report page").status == 0);
   CHECK(names_in(folder / "page") ==
         std::set<std::string>{"ggx-ndf-curves.exr", "ggx-ndf-density.exr", "ggx-ndf-weights.exr",

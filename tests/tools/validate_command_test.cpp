@@ -57,7 +57,7 @@ TEST_CASE("validate prints a table with its seed and returns 0 for tables that a
   const auto json = nlohmann::json::parse(content(folder / "verdict.json"));
   CHECK(json.at("seed") == 7);
   CHECK(json.at("passed") == true);
-  CHECK(json.at("subjects").at(0).at("findings").size() > 20);
+  CHECK(json.at("samplers").at(0).at("results").size() > 20);
 }
 
 TEST_CASE("validate prints a fresh seed where none is given") {
@@ -67,7 +67,7 @@ TEST_CASE("validate prints a fresh seed where none is given") {
   CHECK(first.substr(0, first.find('\n')) != second.substr(0, second.find('\n')));
 }
 
-TEST_CASE("validate judges tables of a formula by their recipe") {
+TEST_CASE("validate checks tables of a formula by their recipe") {
   const Folder folder;
   REQUIRE(
       folder.run("build --p22 'exp(-a*r^2)*(1+r)' --param a=2 -o f.h5 --size 64 --quiet").status ==
@@ -75,7 +75,7 @@ TEST_CASE("validate judges tables of a formula by their recipe") {
   CHECK(folder.run("validate f.h5 --quick").status == 0);
 }
 
-TEST_CASE("validate judges tables of every layout that build makes, by their recipe") {
+TEST_CASE("validate checks tables of every layout that build makes, by their recipe") {
   const Folder folder;
   for (const std::string layout : {"--size 48x64", "--size 48 --precision double"}) {
     CAPTURE(layout);
@@ -102,7 +102,7 @@ TEST_CASE("check accepts the records of tables, and says what their number can s
   CHECK(r.status == 0);
   CHECK_THAT(r.out, contains("accepted") && contains("20000 samples") && contains("in u"));
   CHECK(nlohmann::json::parse(content(folder / "verdict.json")).at("passed") == true);
-  CHECK(folder.run("check records.csv --against ggx.h5 --map no").status == 0);
+  CHECK(folder.run("check records.csv --against ggx.h5 --inverse no").status == 0);
 }
 
 TEST_CASE("check rejects with status 1, the statistic, theta and alpha") {

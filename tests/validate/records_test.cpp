@@ -56,9 +56,9 @@ std::string first_failure(const Verdict& verdict) {
   return verdict.first_failure() == nullptr ? "" : verdict.first_failure()->statistic;
 }
 
-bool has(const Verdict& verdict, const std::string& stage) {
-  return std::any_of(verdict.findings.begin(), verdict.findings.end(),
-                     [&](const Finding& f) { return f.stage == stage; });
+bool has(const Verdict& verdict, const std::string& check) {
+  return std::any_of(verdict.results.begin(), verdict.results.end(),
+                     [&](const CheckResult& f) { return f.check == check; });
 }
 
 }  // namespace
@@ -89,31 +89,31 @@ TEST_CASE("unusable records are refused with line and rule") {
   check_refused(kHeader + "0,0,1,1,1,0.5,0.5,0,0,0.9\n", "mx,my,mz must have length 1");
 }
 
-TEST_CASE("records of an exact sampler that is no monotone map are accepted, its map not judged") {
+TEST_CASE("records of an exact sampler that is no monotone map are accepted, its map not checked") {
   for (const bool one : {false, true}) {
-    const Verdict v =
-        judge_records(draw(CapsGgx<float>{}, {.one_configuration = one}), *law_of("ggx"), {});
+    const Verdict v = validate_records(draw(CapsGgx<float>{}, {.one_configuration = one}),
+                                       *exact_slopes("ggx"), {});
     CHECK(first_failure(v) == "");
-    CHECK_FALSE(has(v, "map"));
+    CHECK_FALSE(has(v, "inverse"));
   }
 }
 
-TEST_CASE("a monotone map is detected and judged to 1e-5") {
+TEST_CASE("a monotone map is detected and checked to 1e-5") {
   const Records records = draw(InverseBeckmann<float>{}, {.count = 5000});
-  const auto law = law_of("beckmann");
-  const Verdict good = judge_records(records, *law, {});
+  const auto slopes = exact_slopes("beckmann");
+  const Verdict good = validate_records(records, *slopes, {});
   CHECK(first_failure(good) == "");
-  CHECK(has(good, "map"));
+  CHECK(has(good, "inverse"));
   Records moved = records;
   for (Record& r : moved.list) r.u1 = std::min(1.0, r.u1 + 2e-5);
-  CHECK(first_failure(judge_records(moved, *law, {})) == "u-error of slope x");
-  CHECK_FALSE(has(judge_records(records, *law, {.inverse_map = false}), "map"));
+  CHECK(first_failure(validate_records(moved, *slopes, {})) == "u-error of slope x");
+  CHECK_FALSE(has(validate_records(records, *slopes, {.monotone_inverse = false}), "inverse"));
 }
 
-TEST_CASE("records against another law are rejected, with theta and alpha") {
+TEST_CASE("records against another distribution are rejected, with theta and alpha") {
   Records records = draw(CapsGgx<float>{}, {.one_configuration = true});
   records.has_pdf = false;
-  const Verdict v = judge_records(records, *law_of("beckmann"), {});
+  const Verdict v = validate_records(records, *exact_slopes("beckmann"), {});
   REQUIRE(v.first_failure() != nullptr);
   CHECK(v.first_failure()->where.theta == Approx(70).epsilon(1e-6));
   CHECK(v.first_failure()->where.alpha_y == Approx(0.2).epsilon(1e-6));
@@ -128,27 +128,28 @@ TEST_CASE("an error at grazing incidence alone is found in its band") {
       r.wm = vector_of<double>(broken.sample(vector_of<float>(r.configuration.wi),
                                              alpha_of<float>(r.configuration.alpha),
                                              static_cast<float>(r.u1), static_cast<float>(r.u2)));
-  const Verdict v = judge_records(records, *law_of("ggx"), {});
+  const Verdict v = validate_records(records, *exact_slopes("ggx"), {});
   REQUIRE(v.first_failure() != nullptr);
   CHECK(v.first_failure()->where.theta > 85);
 }
 
 TEST_CASE("a wrong density, a normal below the horizon and one that faces away are rejected") {
-  const auto law = law_of("ggx");
+  const auto slopes = exact_slopes("ggx");
   const Records good = draw(CapsGgx<float>{}, {.count = 2000});
   Records records = good;
   records.list[17].pdf *= 1.01;
-  CHECK(first_failure(judge_records(records, *law, {})) == "pdf");
+  CHECK(first_failure(validate_records(records, *slopes, {})) == "pdf");
   records = good;
   records.list[17].wm.z = -records.list[17].wm.z;
-  CHECK(first_failure(judge_records(records, *law, {})) == "below the horizon");
+  CHECK(first_failure(validate_records(records, *slopes, {})) == "below the horizon");
   records = good;
   records.list[17].wm = {-1, 0, 0};
   records.list[17].configuration.wi = {0.8, 0, 0.6};
-  CHECK(first_failure(judge_records(records, *law, {})) == "facing away / (1 + alpha mu)");
+  CHECK(first_failure(validate_records(records, *slopes, {})) == "facing away / (1 + alpha mu)");
 }
 
-TEST_CASE("samples of all normals are records of their own law and not of the visible one") {
+TEST_CASE(
+    "samples of all normals are records of their own distribution and not of the visible one") {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> uniform;
   Records records;
@@ -158,12 +159,13 @@ TEST_CASE("samples of all normals are records of their own law and not of the vi
     const Vec3<double> wm{r * std::cos(phi) / length, r * std::sin(phi) / length, 1 / length};
     records.list.push_back({at_angles(40, 0, 1, 1), wm});
   }
-  const auto law = law_of("ggx");
-  CHECK(first_failure(judge_records(records, *law, {.law = NormalLaw::all})) == "");
-  CHECK(first_failure(judge_records(records, *law, {})) != "");
+  const auto slopes = exact_slopes("ggx");
+  CHECK(first_failure(validate_records(records, *slopes, {.normals = SampledNormals::all})) == "");
+  CHECK(first_failure(validate_records(records, *slopes, {})) != "");
 }
 
 TEST_CASE("too few records are refused") {
-  CHECK_THROWS_WITH(judge_records(draw(CapsGgx<float>{}, {.count = 99}), *law_of("ggx"), {}),
-                    contains("there are 99 records; give 100 or more"));
+  CHECK_THROWS_WITH(
+      validate_records(draw(CapsGgx<float>{}, {.count = 99}), *exact_slopes("ggx"), {}),
+      contains("there are 99 records; give 100 or more"));
 }

@@ -1,4 +1,4 @@
-// vndf check: judges the samples of any sampler, from a file of records. Exit status 0: accepted,
+// vndf check: checks the samples of any sampler, from a file of records. Exit status 0: accepted,
 // 1: rejected, 2: the input cannot be used.
 #include <fmt/format.h>
 
@@ -19,40 +19,41 @@
 namespace vndf::tools {
 namespace {
 
-using validate::NormalLaw;
+using validate::ExactSlopes;
 using validate::RecordOptions;
-using validate::SlopeLaw;
+using validate::SampledNormals;
 
 constexpr int kRejected = 1, kUnusable = 2;
 
 struct CheckArguments {
-  std::string records, against, law = "visible", map = "detect", json;
+  std::string records, against, normals = "visible", inverse = "detect", json;
   double u_error = RecordOptions{}.u_error;
   unsigned threads = 0;
 };
 
-NormalLaw law_of(const std::string& name) {
-  if (name == "v-cavity") return NormalLaw::visible_v_cavity;
-  return name == "all" ? NormalLaw::all : NormalLaw::visible_smith;
+SampledNormals normals_of(const std::string& name) {
+  if (name == "v-cavity") return SampledNormals::visible_v_cavity;
+  return name == "all" ? SampledNormals::all : SampledNormals::visible_smith;
 }
 
 RecordOptions options_of(const CheckArguments& a) {
-  RecordOptions options{.law = law_of(a.law), .u_error = a.u_error, .workers = {a.threads}};
-  if (a.map != "detect") options.inverse_map = a.map == "yes";
+  RecordOptions options{
+      .normals = normals_of(a.normals), .u_error = a.u_error, .workers = {a.threads}};
+  if (a.inverse != "detect") options.monotone_inverse = a.inverse == "yes";
   return options;
 }
 
-std::unique_ptr<SlopeLaw> against(const std::string& argument) {
+std::unique_ptr<ExactSlopes> against(const std::string& argument) {
   if (names_a_file(argument))
-    return std::make_unique<SlopeLaw>(distribution_of(load_tables(argument)));
-  return std::make_unique<SlopeLaw>(distributions::parse_distribution(argument));
+    return std::make_unique<ExactSlopes>(distribution_of(load_tables(argument)));
+  return std::make_unique<ExactSlopes>(distributions::parse_distribution(argument));
 }
 
 /// What the number of records can see, and the first failure with its place.
 std::string conclusion(const validate::Verdict& verdict) {
-  const validate::Finding* failure = verdict.first_failure();
+  const validate::CheckResult* failure = verdict.first_failure();
   if (failure == nullptr) return "accepted\n";
-  std::string text = fmt::format("rejected: {}, {}", failure->stage, failure->statistic);
+  std::string text = fmt::format("rejected: {}, {}", failure->check, failure->statistic);
   if (!std::isnan(failure->where.theta))
     text += fmt::format(" at theta {:.6g} degrees, alpha {:.4g} x {:.4g}", failure->where.theta,
                         failure->where.alpha_x, failure->where.alpha_y);
@@ -60,13 +61,13 @@ std::string conclusion(const validate::Verdict& verdict) {
 }
 
 validate::Verdict check(const CheckArguments& a) {
-  const auto law = against(a.against);
+  const auto exact = against(a.against);
   const auto records = validate::read_records(a.records);
   if (records.list.size() < validate::kFewestRecords)
     throw std::runtime_error(fmt::format("{}: it has {} records; give {} or more, better a million",
                                          a.records, records.list.size(), validate::kFewestRecords));
-  auto verdict = judge_records(records, *law, options_of(a));
-  verdict.subject = a.records + " against " + a.against;
+  auto verdict = validate_records(records, *exact, options_of(a));
+  verdict.sampler = a.records + " against " + a.against;
   return verdict;
 }
 
@@ -88,17 +89,19 @@ bool check_and_report(const CheckArguments& a) {
 
 void add_check(CLI::App& app) {
   auto* command = app.add_subcommand(
-      "check", "Judge the samples of any sampler; status 1 if rejected, 2 if unusable");
+      "check", "Check the samples of any sampler; status 1 if rejected, 2 if unusable");
   const auto a = std::make_shared<CheckArguments>();
   command
       ->add_option("records", a->records,
                    "CSV file wx,wy,wz,ax,ay[,u1,u2],mx,my,mz[,pdf], one sample a line")
       ->required();
   command->add_option("--against", a->against, "Named distribution or table file")->required();
-  command->add_option("--law", a->law, "Which normals are claimed to be drawn")
+  command->add_option("--normals", a->normals, "Which normals are claimed to be drawn")
       ->check(CLI::IsMember({"visible", "v-cavity", "all"}))
       ->capture_default_str();
-  command->add_option("--map", a->map, "Whether slopes are the monotone inverse of the law at u")
+  command
+      ->add_option("--inverse", a->inverse,
+                   "Whether (u1, u2) to slopes is the monotone inverse of the CDFs")
       ->check(CLI::IsMember({"detect", "yes", "no"}))
       ->capture_default_str();
   command->add_option("--u-error", a->u_error, "Largest error of the map in u")

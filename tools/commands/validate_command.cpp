@@ -1,4 +1,4 @@
-// vndf validate: judges table files and reference samplers.
+// vndf validate: checks table files and reference samplers.
 #include <fmt/format.h>
 
 #include <iostream>
@@ -19,41 +19,41 @@
 namespace vndf::tools {
 namespace {
 
-using validate::SlopeLaw;
-using validate::Subject;
+using validate::ExactSlopes;
+using validate::SamplerUnderTest;
 using validate::Thoroughness;
 
 struct ValidateArguments {
-  std::vector<std::string> subjects;
+  std::vector<std::string> samplers;
   bool quick = false, thorough = false, list = false;
   std::optional<std::uint64_t> seed;
   unsigned threads = 0;
   std::string json, report;
 };
 
-/// Laws of the reference samplers, which those of one distribution share.
-class Laws {
+/// Slopes of the reference samplers, which those of one distribution share.
+class SharedSlopes {
  public:
-  std::shared_ptr<const SlopeLaw> of(const validate::NamedSubject& subject) {
-    auto& law = laws_[subject.distribution];
-    if (!law) law = std::make_shared<SlopeLaw>(subject.make_distribution());
-    return law;
+  std::shared_ptr<const ExactSlopes> of(const validate::NamedSampler& sampler) {
+    auto& exact = made_[sampler.distribution];
+    if (!exact) exact = std::make_shared<ExactSlopes>(sampler.make_distribution());
+    return exact;
   }
 
  private:
-  std::map<std::string, std::shared_ptr<const SlopeLaw>> laws_;
+  std::map<std::string, std::shared_ptr<const ExactSlopes>> made_;
 };
 
-Subject subject_of(const std::string& argument, Laws& laws) {
+SamplerUnderTest sampler_of(const std::string& argument, SharedSlopes& shared) {
   if (names_a_file(argument)) {
     const AnyTables tables = load_tables(argument);
-    const auto law = std::make_shared<SlopeLaw>(distribution_of(tables));
+    const auto exact = std::make_shared<ExactSlopes>(distribution_of(tables));
     if (const auto* pair = std::get_if<io::TableFile>(&tables))
-      return validate::tabulated_subject(argument, law, pair->tables, pair->certificate);
-    return validate::kernel_subject(argument, law, std::get<KernelTables>(tables));
+      return validate::tables_under_test(argument, exact, pair->tables, pair->certificate);
+    return validate::baked_tables_under_test(argument, exact, std::get<KernelTables>(tables));
   }
-  const auto& named = validate::find_subject(argument);
-  return named.make(named.name, laws.of(named));
+  const auto& named = validate::find_sampler(argument);
+  return named.make(named.name, shared.of(named));
 }
 
 Thoroughness thoroughness(const ValidateArguments& a) {
@@ -65,37 +65,37 @@ Thoroughness thoroughness(const ValidateArguments& a) {
 std::unique_ptr<ValidationReport> report_of(const ValidateArguments& a, std::uint64_t seed) {
   if (a.report.empty()) return nullptr;
   const char* effort = a.quick ? " --quick" : a.thorough ? " --thorough" : "";
-  return std::make_unique<ValidationReport>(a.report, ReportCircumstances{kProgram, effort, seed});
+  return std::make_unique<ValidationReport>(a.report, ReportedRun{kProgram, effort, seed});
 }
 
-/// True if all subjects pass.
+/// True if all samplers pass.
 bool validate_all(const ValidateArguments& a) {
-  if (!a.json.empty()) require_output(a.json, a.subjects);
-  Laws laws;
-  std::vector<Subject> subjects;  // wrong names are told before any work
-  for (const std::string& argument : a.subjects) subjects.push_back(subject_of(argument, laws));
+  if (!a.json.empty()) require_output(a.json, a.samplers);
+  SharedSlopes shared;
+  std::vector<SamplerUnderTest> samplers;  // wrong names are told before any work
+  for (const std::string& argument : a.samplers) samplers.push_back(sampler_of(argument, shared));
 
   const std::uint64_t seed = a.seed.value_or(fresh_seed());
   const auto report = report_of(a, seed);  // what hinders it is told before any work, too
   std::cout << fmt::format("seed {}\n", seed);
-  const validate::JudgeOptions options{.thoroughness = thoroughness(a),
-                                       .seed = seed,
-                                       .subjects = subjects.size(),
-                                       .workers = {a.threads}};
+  const validate::ValidationOptions options{.thoroughness = thoroughness(a),
+                                            .seed = seed,
+                                            .samplers = samplers.size(),
+                                            .workers = {a.threads}};
   bool passed = true;
   auto verdicts = nlohmann::ordered_json::array();
-  for (const Subject& subject : subjects) {
-    const auto verdict = validate::judge(subject, options);
+  for (const SamplerUnderTest& sampler : samplers) {
+    const auto verdict = validate::validate_sampler(sampler, options);
     std::cout << describe(verdict) << std::flush;
     verdicts.push_back(to_json(verdict));
-    if (report) report->add(subject, verdict, options.workers);
+    if (report) report->add(sampler, verdict, options.workers);
     passed = passed && verdict.passed();
   }
   if (!a.json.empty())
     write_json(a.json, {{"program", kProgram},
                         {"seed", seed},
                         {"passed", passed},
-                        {"subjects", std::move(verdicts)}});
+                        {"samplers", std::move(verdicts)}});
   if (report) report->finish();
   require_printed();
   return passed;
@@ -104,10 +104,10 @@ bool validate_all(const ValidateArguments& a) {
 }  // namespace
 
 void add_validate(CLI::App& app) {
-  auto* command =
-      app.add_subcommand("validate", "Judge samplers against the exact law; status 1 if one fails");
+  auto* command = app.add_subcommand(
+      "validate", "Check samplers against their exact distribution; status 1 if one fails");
   const auto a = std::make_shared<ValidateArguments>();
-  command->add_option("subjects", a->subjects, "Table files and names of reference samplers");
+  command->add_option("samplers", a->samplers, "Table files and names of reference samplers");
   auto* quick = command->add_flag("--quick", a->quick, "Seconds, fewer places and samples");
   command->add_flag("--thorough", a->thorough, "1e9 samples")->excludes(quick);
   command->add_option("--seed", a->seed, "Seed of the random numbers; a fresh one where not given")
@@ -119,11 +119,11 @@ void add_validate(CLI::App& app) {
   command->add_flag("--list", a->list, "List the reference samplers and stop");
   command->callback([a] {
     if (a->list) {
-      for (const auto& s : validate::named_subjects())
+      for (const auto& s : validate::named_samplers())
         std::cout << fmt::format("{:<24} {}\n", s.name, s.distribution);
       return;
     }
-    if (a->subjects.empty()) throw CLI::RequiredError("subjects");
+    if (a->samplers.empty()) throw CLI::RequiredError("samplers");
     if (!validate_all(*a)) throw CLI::RuntimeError(1);
   });
 }

@@ -1,4 +1,4 @@
-// Picture: the functions of a distribution, exact and as the subject computes them.
+// Picture: the functions of a distribution, exact and as the sampler computes them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 
 using validate::Curve;
 using validate::DistributionCurves;
-using validate::Subject;
+using validate::SamplerUnderTest;
 
 constexpr std::size_t kPlaces = 180, kMarkEvery = 9;
 constexpr const char* kColours[]{"#3b528b", "#21918c", "#b5367a"};
@@ -28,7 +28,7 @@ constexpr int kHeight = 620;
 std::string block(const std::string& name, const Curve& curve) {
   std::string text = "$" + name + " << EOD\n";
   for (std::size_t k = 0; k < curve.at.size(); ++k)
-    text += fmt::format("{:.6g} {:.6g} {:.6g}\n", curve.at[k], curve.exact[k], curve.subject[k]);
+    text += fmt::format("{:.6g} {:.6g} {:.6g}\n", curve.at[k], curve.exact[k], curve.sampler[k]);
   return text + "EOD\n";
 }
 
@@ -49,7 +49,7 @@ std::string value_range(const std::vector<Curve>& curves) {
                      10 * decade_below(high));
 }
 
-/// Curves that share their axes: lines for what is exact, rings for the subject.
+/// Curves that share their axes: lines for what is exact, rings for the sampler.
 std::string panel(const std::string& name, const std::vector<Curve>& curves) {
   std::string blocks, plots;
   for (std::size_t k = 0; k < curves.size(); ++k) {
@@ -86,7 +86,7 @@ std::string script(const DistributionCurves& curves) {
 }
 
 constexpr const char* kCaption =
-    "Lines: exact, by quadrature. Rings: the subject's own functions. p22 is the density of slopes "
+    "Lines: exact, by quadrature. Rings: the sampler's own functions. p22 is the density of slopes "
     "at alpha 1, from a hundredth of the mean slope to the largest, or to where one slope in a "
     "million lies beyond; there a power tail descends straight. Lambda grows without bound towards "
     "90 degrees. D is per solid angle. A ring beside its line is an error of some per cent; "
@@ -95,29 +95,29 @@ constexpr const char* kCaption =
 void add_layer(io::ExrImage& exr, const std::string& layer, const char* axis, const Curve& curve) {
   exr.channels[layer + "." + axis] = channel(curve.at);
   exr.channels[layer + ".exact"] = channel(curve.exact);
-  exr.channels[layer + ".subject"] = channel(curve.subject);
+  exr.channels[layer + ".sampler"] = channel(curve.sampler);
 }
 
-io::ExrImage data(const Subject& subject, const DistributionCurves& curves) {
+io::ExrImage data(const SamplerUnderTest& sampler, const DistributionCurves& curves) {
   io::ExrImage exr{kPlaces, 1};
   add_layer(exr, "p22", "slope", curves.p22);
   for (const Curve& c : curves.lambda)
     add_layer(exr, fmt::format("lambda_{}", c.alpha), "theta", c);
   for (const Curve& c : curves.d) add_layer(exr, fmt::format("d_{}", c.alpha), "theta", c);
   exr.attributes = {
-      {"subject", subject.name},
+      {"sampler", sampler.name},
       {"axes", "one row; the axis of a layer is its channel slope or theta (degrees)"},
-      {"values", "exact, and as the subject computes it; the number in a name is alpha"}};
+      {"values", "exact, and as the sampler computes it; the number in a name is alpha"}};
   return exr;
 }
 
 }  // namespace
 
-Picture curve_picture(const Subject& subject, const PictureOptions& options) {
-  const auto curves = distribution_curves(subject, {0.1, 0.5, 1}, kPlaces);
+Picture curve_picture(const SamplerUnderTest& sampler, const PictureOptions& options) {
+  const auto curves = distribution_curves(sampler, {0.1, 0.5, 1}, kPlaces);
   return {"curves", "The distribution: p22, Lambda, D", kCaption,
           png_of(script(curves), kPictureWidth, kHeight, options.scratch / "curves.png"),
-          write_exr_image(data(subject, curves))};
+          write_exr_image(data(sampler, curves))};
 }
 
 }  // namespace vndf::tools

@@ -17,24 +17,24 @@ namespace {
 
 using validate::Configuration;
 using validate::Grid;
-using validate::NormalLaw;
+using validate::SampledNormals;
+using validate::SamplerUnderTest;
 using validate::SlopeHistogram;
-using validate::Subject;
 
 constexpr std::array kAngles{0.0, 30.0, 60.0, 90.0};
 constexpr double kPhi = 45, kAlphaX = 2, kAlphaY = 1;
 constexpr int kHeight = 1270;
-/// The judge's streams of random numbers are below.
+/// The validator's streams of random numbers are below.
 constexpr std::uint64_t kFirstStream = 1000;
 
 using Histograms = std::array<SlopeHistogram, kAngles.size()>;
 
-Histograms histograms(const Subject& subject, const PictureOptions& options) {
+Histograms histograms(const SamplerUnderTest& sampler, const PictureOptions& options) {
   Histograms list;
   for (std::size_t k = 0; k < list.size(); ++k) {
     const Configuration c = validate::at_angles(kAngles[k], kPhi, kAlphaX, kAlphaY);
     list[k] = slope_histogram(
-        subject, c, shown_slopes(*subject.law, c.alpha),
+        sampler, c, shown_slopes(*sampler.exact, c.alpha),
         {.seed = options.seed, .stream = kFirstStream + k, .workers = options.workers});
   }
   return list;
@@ -62,20 +62,20 @@ std::string no_title(const SlopeHistogram&) {
   return "unset title\n";
 }
 std::string mean_square_title(const SlopeHistogram& h) {
-  const double error = std::sqrt(2 / std::max(1.0, static_cast<double>(h.judged)));
+  const double error = std::sqrt(2 / std::max(1.0, static_cast<double>(h.compared)));
   return fmt::format("set title 'mean square {:.3f} ± {:.3f}' font ',12' offset 0,-0.7\n",
                      h.mean_square, error);
 }
 
 /// The facets seen at 90 degrees lie on a line of slopes; nothing where there is none.
-std::string edge_of_visibility(const Subject& subject, const Configuration& c) {
-  if (subject.claims.law == NormalLaw::all || c.theta() == 0) return "";
+std::string edge_of_visibility(const SamplerUnderTest& sampler, const Configuration& c) {
+  if (sampler.claims.normals == SampledNormals::all || c.theta() == 0) return "";
   return fmt::format(", ({} - {} * x) / {} with lines dt 2 lw 1.5 lc rgb '#888888' notitle", c.wi.z,
                      c.wi.x, c.wi.y);
 }
 
-std::string row_of_panels(const Subject& subject, const Histograms& list, const PanelRow& row,
-                          std::size_t number) {
+std::string row_of_panels(const SamplerUnderTest& sampler, const Histograms& list,
+                          const PanelRow& row, std::size_t number) {
   constexpr double kLeft = 0.062, kStep = 0.213, kSide = 0.198, kUp = 0.308;
   const bool lowest = number == 0;
   Frame frame{kLeft, 0.058 + kUp * static_cast<double>(number), kSide,
@@ -91,14 +91,14 @@ std::string row_of_panels(const Subject& subject, const Histograms& list, const 
     const double w = list[k].half_width;
     text += grid_block(name, list[k].*row.grid) + margins(frame) + row.title(list[k]);
     text += "plot " + grid_image(name, list[k].*row.grid, -w, w, -w, w) +
-            edge_of_visibility(subject, list[k].configuration) + "\n";
+            edge_of_visibility(sampler, list[k].configuration) + "\n";
     if (k == 0) text += "unset ylabel\nset format y ''\nunset colorbox\n";
     frame.x += kStep;
   }
   return text;
 }
 
-std::string script(const Subject& subject, const Histograms& list) {
+std::string script(const SamplerUnderTest& sampler, const Histograms& list) {
   const double w = list.front().half_width;
   const std::string density = fmt::format("{}set cbrange [0:{}]\n", kSizes, highest_density(list));
   const std::array rows{
@@ -111,17 +111,17 @@ std::string script(const Subject& subject, const Histograms& list) {
       "',12'\n"
       "unset key\n",
       -w, w);
-  for (std::size_t r = 0; r < rows.size(); ++r) text += row_of_panels(subject, list, rows[r], r);
+  for (std::size_t r = 0; r < rows.size(); ++r) text += row_of_panels(sampler, list, rows[r], r);
   return text + "unset multiplot\n";
 }
 
-std::string in_words(NormalLaw law) {
-  if (law == NormalLaw::visible_smith) return "the visible normals of Smith's surface";
-  if (law == NormalLaw::visible_v_cavity) return "the visible normals of V-cavities";
+std::string text_of(SampledNormals normals) {
+  if (normals == SampledNormals::visible_smith) return "the visible normals of Smith's surface";
+  if (normals == SampledNormals::visible_v_cavity) return "the visible normals of V-cavities";
   return "all normals, the same for every incidence";
 }
 
-std::string caption(const Subject& subject, const Histograms& list, std::uint64_t seed) {
+std::string caption(const SamplerUnderTest& sampler, const Histograms& list, std::uint64_t seed) {
   const SlopeHistogram& h = list.front();
   const double side = 2 * h.half_width / static_cast<double>(h.exact.columns);
   const double expected = highest_density(list) * side * side * static_cast<double>(h.samples);
@@ -129,21 +129,22 @@ std::string caption(const Subject& subject, const Histograms& list, std::uint64_
   for (const SlopeHistogram& one : list)
     inside += fmt::format("{}{:.1f} %", inside.empty() ? "" : ", ", 100 * one.inside);
   std::string text = fmt::format(
-      "The law of {}. Each picture is a histogram of {} normals (seed {}) in {} x {} cells, which "
+      "The distribution of {}. Each picture is a histogram of {} normals (seed {}) in {} x {} "
+      "cells, which "
       "hold {} of them; what lies beyond is not shown. Where n samples are expected in a cell, "
       "their noise is 1/sqrt(n), {:.1f} % in the highest cell, and the eye sees no smaller error. "
       "The last row does: sampled less exact in units of that noise. It should have no pattern, 5 "
       "cells in 100 beyond 2 and hardly one beyond 4, and its mean square should be 1 within a few "
       "of the errors given. A patch or a line of one colour is an error of the sampler; whether it "
       "is one that its bounds allow, the table above says.",
-      in_words(subject.claims.law), h.samples, seed, h.exact.columns, h.exact.rows, inside,
+      text_of(sampler.claims.normals), h.samples, seed, h.exact.columns, h.exact.rows, inside,
       100 / std::sqrt(expected));
-  if (subject.claims.law != NormalLaw::all)
+  if (sampler.claims.normals != SampledNormals::all)
     text += " Dashed: the edge of visibility, facets seen at 90 degrees; none beyond may be drawn.";
   return text;
 }
 
-io::ExrImage data(const Subject& subject, const Histograms& list, std::uint64_t seed) {
+io::ExrImage data(const SamplerUnderTest& sampler, const Histograms& list, std::uint64_t seed) {
   const SlopeHistogram& first = list.front();
   io::ExrImage exr{first.exact.columns, first.exact.rows};
   for (std::size_t k = 0; k < list.size(); ++k) {
@@ -152,7 +153,7 @@ io::ExrImage data(const Subject& subject, const Histograms& list, std::uint64_t 
     exr.channels[layer + ".exact"] = channel(list[k].exact);
     exr.channels[layer + ".deviation"] = channel(list[k].deviation);
   }
-  exr.attributes = {{"subject", subject.name},
+  exr.attributes = {{"sampler", sampler.name},
                     {"axes", fmt::format("slope x to the right and slope y up, {:.9g} to {:.9g}",
                                          -first.half_width, first.half_width)},
                     {"values", "mean density of slopes in each cell; deviation in standard errors"},
@@ -163,13 +164,13 @@ io::ExrImage data(const Subject& subject, const Histograms& list, std::uint64_t 
 
 }  // namespace
 
-Picture density_picture(const Subject& subject, const PictureOptions& options) {
-  const Histograms list = histograms(subject, options);
+Picture density_picture(const SamplerUnderTest& sampler, const PictureOptions& options) {
+  const Histograms list = histograms(sampler, options);
   return {"density",
           fmt::format("Density of slopes, alpha {} x {}, phi {} degrees", kAlphaX, kAlphaY, kPhi),
-          caption(subject, list, options.seed),
-          png_of(script(subject, list), kPictureWidth, kHeight, options.scratch / "density.png"),
-          write_exr_image(data(subject, list, options.seed))};
+          caption(sampler, list, options.seed),
+          png_of(script(sampler, list), kPictureWidth, kHeight, options.scratch / "density.png"),
+          write_exr_image(data(sampler, list, options.seed))};
 }
 
 }  // namespace vndf::tools

@@ -15,7 +15,7 @@ namespace vndf::tools {
 namespace {
 
 using validate::kSmallestShownU;
-using validate::Subject;
+using validate::SamplerUnderTest;
 using validate::UErrorMap;
 
 constexpr double kTheta = 45;  // from which the conditional is seen
@@ -73,56 +73,58 @@ std::string script(const UErrorMap& marginal, const UErrorMap& conditional) {
          panel("conditional", conditional, u_range()) + "unset multiplot\n";
 }
 
-std::string caption(const Subject& subject, const UErrorMap& marginal,
+std::string caption(const SamplerUnderTest& sampler, const UErrorMap& marginal,
                     const UErrorMap& conditional) {
   std::string unclaimed;
-  if (subject.claims.map_from > 0)
+  if (sampler.claims.inverse_from > 0)
     unclaimed =
-        fmt::format(" (this map is claimed from {:.3g} degrees on)", subject.claims.map_from);
+        fmt::format(" (this map is claimed from {:.3g} degrees on)", sampler.claims.inverse_from);
   return fmt::format(
       "Left: slope x over incidence and u1. Right: slope y given the slope x that is sampled at "
       "u1, seen from {} degrees, over u2; what is within the rounding of both slopes is 0. The "
       "axes of u run from {:.0e} to its complement, both tails as wide as the middle. Largest "
-      "here: {:.2e} of slope x, {:.2e} of slope y; the bound of this subject is {:.2e}. Tables "
+      "here: {:.2e} of slope x, {:.2e} of slope y; the bound of this sampler is {:.2e}. Tables "
       "show the waves of their rows and columns, below the bound everywhere; rounding shows as "
       "noise of 1e-8 to 1e-7; towards both ends the error must fade with the mass that is left. A "
       "band or a block that stands out is a wrong branch, a fit that ends, or a tail that is cut. "
-      "Grey: nothing is claimed there{}, or so little mass is left that it is not judged.",
+      "Grey: nothing is claimed there{}, or so little mass is left that it is not checked.",
       kTheta, kSmallestShownU, largest(marginal.error), largest(conditional.error),
-      subject.bounds.u_error, unclaimed);
+      sampler.bounds.u_error, unclaimed);
 }
 
-io::ExrImage data(const Subject& subject, const UErrorMap& marginal, const UErrorMap& conditional) {
+io::ExrImage data(const SamplerUnderTest& sampler, const UErrorMap& marginal,
+                  const UErrorMap& conditional) {
   return {
       kColumns,
       kRows,
       {{"slope_x.u_error", channel(marginal.error)},
        {"slope_y.u_error", channel(conditional.error)}},
-      {{"subject", subject.name},
+      {{"sampler", sampler.name},
        {"axes",
         fmt::format("slope_x: logit(u1) to the right, from u1 = {0:.0e} to its complement, theta "
                     "up from 0 to 90 degrees; slope_y: logit(u2) to the right and logit(u1) up, "
                     "likewise from {0:.0e}, seen from {1} degrees",
                     kSmallestShownU, kTheta)},
-       {"values", "|CDF(x(u)) - u|; nan where nothing is claimed or judged"}}};
+       {"values", "|CDF(x(u)) - u|; nan where nothing is claimed or checked"}}};
 }
 
 }  // namespace
 
-Picture error_picture(const Subject& subject, const PictureOptions& options) {
+Picture error_picture(const SamplerUnderTest& sampler, const PictureOptions& options) {
   const std::string title = "Error of the map, |CDF(x(u)) - u|";
-  if (!subject.claims.inverse_map)
+  if (!sampler.claims.monotone_inverse)
     return {
         "u-error", title,
-        "There is no such picture: this subject does not claim to be the monotone inverse of the "
-        "law in (u1, u2), so no value of the CDF belongs to a random number. Its law is judged by "
+        "There is no such picture: this sampler does not claim to be the monotone inverse of the "
+        "distribution in (u1, u2), so no value of the CDF belongs to a random number. Its "
+        "distribution is checked by "
         "counting, above."};
-  const auto marginal = marginal_error_map(subject, kRows, kColumns, options.workers);
-  const auto conditional = conditional_error_map(subject, kTheta, kRows, kColumns, options.workers);
-  return {"u-error", title, caption(subject, marginal, conditional),
+  const auto marginal = marginal_error_map(sampler, kRows, kColumns, options.workers);
+  const auto conditional = conditional_error_map(sampler, kTheta, kRows, kColumns, options.workers);
+  return {"u-error", title, caption(sampler, marginal, conditional),
           png_of(script(marginal, conditional), kPictureWidth, kHeight,
                  options.scratch / "u-error.png"),
-          write_exr_image(data(subject, marginal, conditional))};
+          write_exr_image(data(sampler, marginal, conditional))};
 }
 
 }  // namespace vndf::tools

@@ -100,9 +100,10 @@ std::string describe(const KernelTables& tables) {
   line(text, "slope y", conditional_of(h));
   line(text, "unit of slopes", fmt::format("{:.7g}", h.unit));
   line(text, "sampling reads", kibibytes(tables.sampling_bytes()));
-  text += h.certified != 0
-              ? "\nCertificate: errors in single precision, measured against the exact law\n"
-              : "\nCertificate: errors that follow from those of the pair, not measured\n";
+  text +=
+      h.certified != 0
+          ? "\nCertificate: errors in single precision, measured against the exact distribution\n"
+          : "\nCertificate: errors that follow from those of the pair, not measured\n";
   describe(text, tables.certificate());
   return text;
 }

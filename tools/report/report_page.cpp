@@ -12,7 +12,7 @@
 namespace vndf::tools {
 namespace {
 
-using validate::Finding;
+using validate::CheckResult;
 using validate::Kind;
 
 constexpr const char* kStyle = R"(
@@ -70,20 +70,20 @@ std::string mark(bool passed) {
   return passed ? "<span class=\"pass\">pass</span>" : "<span class=\"fail\">FAIL</span>";
 }
 
-std::string row(const Finding& f) {
+std::string row(const CheckResult& f) {
   return fmt::format(
       "<tr{}><td>{}</td><td>{}</td><td>{}</td><td class=\"number\">{:.3g}</td><td "
       "class=\"number\">{} {:.3g}</td><td class=\"place\">{}</td></tr>\n",
-      f.passed() ? "" : " class=\"failed\"", mark(f.passed()), escaped(f.stage),
+      f.passed() ? "" : " class=\"failed\"", mark(f.passed()), escaped(f.check),
       escaped(f.statistic), f.measured, f.kind == Kind::error ? "≤" : "p ≥", f.bound,
       escaped(remark(f)));
 }
 
-std::string findings(const validate::Verdict& verdict) {
+std::string results(const validate::Verdict& verdict) {
   std::string text =
-      "<table><tr><th></th><th>stage</th><th>statistic</th><th class=\"number\">measured</th><th "
+      "<table><tr><th></th><th>check</th><th>statistic</th><th class=\"number\">measured</th><th "
       "class=\"number\">bound</th><th>where it is worst</th></tr>\n";
-  for (const Finding& f : verdict.findings) text += row(f);
+  for (const CheckResult& f : verdict.results) text += row(f);
   return text + "</table>\n";
 }
 
@@ -103,28 +103,28 @@ std::string figure(const ReportSection& section, const Picture& picture) {
 std::string section_text(const ReportSection& s, std::size_t number) {
   const auto& v = s.verdict;
   std::string text = fmt::format("<h2 id=\"s{}\">{}: {}</h2>\n<p>Slopes: <code>{}</code>", number,
-                                 escaped(s.subject), mark(v.passed()), escaped(s.distribution));
+                                 escaped(s.sampler), mark(v.passed()), escaped(s.distribution));
   if (v.samples > 0)
     text += fmt::format(
         ". {} samples were counted; those of one configuration show errors of {:.1e} in u and of "
         "{:.1e} in the mass of a bin",
         v.samples, v.visible_u_error, v.visible_bin_error);
-  text += ".</p>\n" + findings(v);
+  text += ".</p>\n" + results(v);
   for (const Picture& p : s.pictures) text += figure(s, p);
   return text;
 }
 
 std::string overview(const std::vector<ReportSection>& sections) {
   std::string text =
-      "<table><tr><th>subject</th><th>slopes</th><th>verdict</th><th>what fails</th></tr>\n";
+      "<table><tr><th>sampler</th><th>slopes</th><th>verdict</th><th>what fails</th></tr>\n";
   for (std::size_t k = 0; k < sections.size(); ++k) {
     const ReportSection& s = sections[k];
     std::string failures;
-    for (const Finding& f : s.verdict.findings)
-      if (!f.passed()) failures += (failures.empty() ? "" : "; ") + f.stage + ": " + f.statistic;
+    for (const CheckResult& f : s.verdict.results)
+      if (!f.passed()) failures += (failures.empty() ? "" : "; ") + f.check + ": " + f.statistic;
     text += fmt::format(
         "<tr><td><a href=\"#s{}\">{}</a></td><td><code>{}</code></td><td>{}</td><td>{}</td></tr>\n",
-        k, escaped(s.subject), escaped(s.distribution), mark(s.verdict.passed()),
+        k, escaped(s.sampler), escaped(s.distribution), mark(s.verdict.passed()),
         escaped(failures));
   }
   return text + "</table>\n";
@@ -136,11 +136,11 @@ std::string data_file(const ReportSection& section, const Picture& picture) {
   return section.stem + "-" + picture.name + ".exr";
 }
 
-std::string report_page(const ReportCircumstances& c, const std::vector<ReportSection>& sections) {
+std::string report_page(const ReportedRun& c, const std::vector<ReportSection>& sections) {
   const auto failed = std::count_if(sections.begin(), sections.end(),
                                     [](const auto& s) { return !s.verdict.passed(); });
   const std::string title =
-      fmt::format("Samplers of visible normals: {} judged, {} failed", sections.size(), failed);
+      fmt::format("Samplers of visible normals: {} checked, {} failed", sections.size(), failed);
   std::string text = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
       "name=\"viewport\" "

@@ -10,9 +10,9 @@
 
 namespace vndf::tools {
 
-/// One subject of a report.
+/// One sampler of a report.
 struct ReportSection {
-  std::string subject, distribution;
+  std::string sampler, distribution;
   std::string stem;  ///< of the names of its files of data: STEM-PICTURE.exr
   validate::Verdict verdict;
   std::vector<Picture> pictures;
@@ -22,13 +22,12 @@ struct ReportSection {
 std::string data_file(const ReportSection& section, const Picture& picture);
 
 /// What the whole run had in common.
-struct ReportCircumstances {
+struct ReportedRun {
   std::string program, effort;
   std::uint64_t seed = 0;
 };
 
 /// HTML with its style and its pictures inside.
-std::string report_page(const ReportCircumstances& circumstances,
-                        const std::vector<ReportSection>& sections);
+std::string report_page(const ReportedRun& run, const std::vector<ReportSection>& sections);
 
 }  // namespace vndf::tools

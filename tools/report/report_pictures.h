@@ -1,4 +1,4 @@
-// The pictures of one subject in a report: data of lib/validate, drawn by gnuplot, and kept as EXR.
+// The pictures of one sampler in a report: data of lib/validate, drawn by gnuplot, and kept as EXR.
 #pragma once
 
 #include <cstdint>
@@ -25,15 +25,15 @@ struct PictureOptions {
 
 /// Sampled and exact density of slopes at four incidences, and their difference
 /// (slope_histogram.h).
-Picture density_picture(const validate::Subject& subject, const PictureOptions& options);
+Picture density_picture(const validate::SamplerUnderTest& sampler, const PictureOptions& options);
 
 /// The u-error of both slopes (u_error_map.h); only a caption where no map is claimed.
-Picture error_picture(const validate::Subject& subject, const PictureOptions& options);
+Picture error_picture(const validate::SamplerUnderTest& sampler, const PictureOptions& options);
 
-/// Weights of the subject and of the previous method at grazing incidence (sample_weights.h).
-Picture weight_picture(const validate::Subject& subject, const PictureOptions& options);
+/// Weights of the sampler and of the previous method at grazing incidence (sample_weights.h).
+Picture weight_picture(const validate::SamplerUnderTest& sampler, const PictureOptions& options);
 
 /// p22, Lambda and D (distribution_curves.h).
-Picture curve_picture(const validate::Subject& subject, const PictureOptions& options);
+Picture curve_picture(const validate::SamplerUnderTest& sampler, const PictureOptions& options);
 
 }  // namespace vndf::tools

@@ -9,16 +9,15 @@
 
 namespace vndf::tools {
 
-ValidationReport::ValidationReport(const std::filesystem::path& folder,
-                                   ReportCircumstances circumstances)
-    : folder_(folder), circumstances_(std::move(circumstances)) {
+ValidationReport::ValidationReport(const std::filesystem::path& folder, ReportedRun run)
+    : folder_(folder), run_(std::move(run)) {
   require_gnuplot();
 }
 
-/// The name of the subject without folders and extension, of letters that any system takes, with a
+/// The name of the sampler without folders and extension, of letters that any system takes, with a
 /// number behind it if the name is taken.
-std::string ValidationReport::new_stem(const std::string& subject) const {
-  std::string stem = std::filesystem::path(subject).stem().string();
+std::string ValidationReport::new_stem(const std::string& sampler) const {
+  std::string stem = std::filesystem::path(sampler).stem().string();
   for (char& c : stem)
     if (!std::isalnum(static_cast<unsigned char>(c)) && c != '.' && c != '_') c = '-';
   const auto taken = [this](const std::string& name) {
@@ -30,16 +29,16 @@ std::string ValidationReport::new_stem(const std::string& subject) const {
   return name;
 }
 
-void ValidationReport::add(const validate::Subject& subject, const validate::Verdict& verdict,
-                           const support::Workers& workers) {
-  ReportSection section{subject.name,
-                        subject.law->slopes().distribution().name(),
-                        new_stem(subject.name),
+void ValidationReport::add(const validate::SamplerUnderTest& sampler,
+                           const validate::Verdict& verdict, const support::Workers& workers) {
+  ReportSection section{sampler.name,
+                        sampler.exact->unit_slopes().distribution().name(),
+                        new_stem(sampler.name),
                         verdict,
                         {}};
-  const PictureOptions options{circumstances_.seed, workers, folder_.scratch()};
+  const PictureOptions options{run_.seed, workers, folder_.scratch()};
   for (const auto draw : {density_picture, error_picture, weight_picture, curve_picture})
-    section.pictures.push_back(draw(subject, options));
+    section.pictures.push_back(draw(sampler, options));
   for (Picture& picture : section.pictures) {
     if (picture.exr.empty()) continue;
     folder_.write(data_file(section, picture), picture.exr);
@@ -49,7 +48,7 @@ void ValidationReport::add(const validate::Subject& subject, const validate::Ver
 }
 
 void ValidationReport::finish() {
-  folder_.write("index.html", report_page(circumstances_, sections_));
+  folder_.write("index.html", report_page(run_, sections_));
   folder_.put_in_place();
 }
 

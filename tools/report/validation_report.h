@@ -1,4 +1,4 @@
-// The report of a run of validation: a page with pictures and their data, one section a subject.
+// The report of a run of validation: a page with pictures and their data, one section a sampler.
 #pragma once
 
 #include <filesystem>
@@ -14,20 +14,20 @@ class ValidationReport {
  public:
   /// Throws std::runtime_error, before any work, if gnuplot is missing or `folder` cannot be made
   /// or replaced (io::AtomicFolder).
-  ValidationReport(const std::filesystem::path& folder, ReportCircumstances circumstances);
+  ValidationReport(const std::filesystem::path& folder, ReportedRun run);
 
-  /// Draws the pictures of a subject, which takes some seconds.
-  void add(const validate::Subject& subject, const validate::Verdict& verdict,
+  /// Draws the pictures of a sampler, which takes some seconds.
+  void add(const validate::SamplerUnderTest& sampler, const validate::Verdict& verdict,
            const support::Workers& workers);
 
   /// Writes the page and puts all in place.
   void finish();
 
  private:
-  std::string new_stem(const std::string& subject) const;
+  std::string new_stem(const std::string& sampler) const;
 
   io::AtomicFolder folder_;
-  ReportCircumstances circumstances_;
+  ReportedRun run_;
   std::vector<ReportSection> sections_;
 };
 

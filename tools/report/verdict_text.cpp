@@ -1,4 +1,4 @@
-// How the program shows a verdict.
+// How verdicts are shown.
 #include "report/verdict_text.h"
 
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 namespace vndf::tools {
 namespace {
 
-using validate::Finding;
+using validate::CheckResult;
 using validate::Kind;
 using validate::Place;
 using validate::Verdict;
@@ -23,15 +23,15 @@ std::string text_of(const Place& p) {
   return text;
 }
 
-std::string row(const Finding& f) {
+std::string row(const CheckResult& f) {
   const char* sign = f.kind == Kind::error ? "<=" : "p >=";
-  return fmt::format("  {:<4}  {:<11}{:<30}{:>10.3g}  {:>4} {:<10.3g} {}\n",
-                     f.passed() ? "pass" : "FAIL", f.stage, f.statistic, f.measured, sign, f.bound,
+  return fmt::format("  {:<4}  {:<14}{:<31}{:>10.3g}  {:>4} {:<10.3g} {}\n",
+                     f.passed() ? "pass" : "FAIL", f.check, f.statistic, f.measured, sign, f.bound,
                      remark(f));
 }
 
-nlohmann::ordered_json to_json(const Finding& f) {
-  nlohmann::ordered_json json{{"stage", f.stage},
+nlohmann::ordered_json to_json(const CheckResult& f) {
+  nlohmann::ordered_json json{{"check", f.check},
                               {"statistic", f.statistic},
                               {"kind", f.kind == Kind::error ? "error" : "p-value"},
                               {"measured", f.measured},
@@ -52,15 +52,15 @@ nlohmann::ordered_json to_json(const Finding& f) {
 
 }  // namespace
 
-std::string remark(const Finding& f) {
+std::string remark(const CheckResult& f) {
   std::string text = text_of(f.where);
   if (!f.note.empty()) text += (text.empty() ? "" : "; ") + f.note;
   return text;
 }
 
 std::string describe(const Verdict& verdict) {
-  std::string text = fmt::format("{}: {}\n", verdict.subject, verdict.passed() ? "pass" : "FAIL");
-  for (const Finding& f : verdict.findings) text += row(f);
+  std::string text = fmt::format("{}: {}\n", verdict.sampler, verdict.passed() ? "pass" : "FAIL");
+  for (const CheckResult& f : verdict.results) text += row(f);
   if (verdict.samples > 0)
     text += fmt::format(
         "  {} samples counted; those of one configuration show errors of {:.1e} in u and of "
@@ -70,14 +70,14 @@ std::string describe(const Verdict& verdict) {
 }
 
 nlohmann::ordered_json to_json(const Verdict& verdict) {
-  auto findings = nlohmann::ordered_json::array();
-  for (const Finding& f : verdict.findings) findings.push_back(to_json(f));
-  return {{"subject", verdict.subject},
+  auto results = nlohmann::ordered_json::array();
+  for (const CheckResult& f : verdict.results) results.push_back(to_json(f));
+  return {{"sampler", verdict.sampler},
           {"passed", verdict.passed()},
           {"samples", verdict.samples},
           {"visible_u_error", verdict.visible_u_error},
           {"visible_bin_error", verdict.visible_bin_error},
-          {"findings", findings}};
+          {"results", results}};
 }
 
 }  // namespace vndf::tools

@@ -1,4 +1,4 @@
-// How the program shows a verdict: as text for people, as JSON for programs.
+// How the program shows a verdict of the validator: as text for people, as JSON for programs.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,10 +8,10 @@
 
 namespace vndf::tools {
 
-/// Where a finding is and what is to be said of it, in words.
-std::string remark(const validate::Finding& finding);
+/// Where a result is and what is to be said of it, in words.
+std::string remark(const validate::CheckResult& result);
 
-/// A table, one line for each finding.
+/// A table, one line for each result.
 std::string describe(const validate::Verdict& verdict);
 
 /// Place, tests and note are left out where they do not apply.

@@ -15,9 +15,9 @@ namespace vndf::tools {
 namespace {
 
 using validate::Configuration;
-using validate::NormalLaw;
+using validate::SampledNormals;
+using validate::SamplerUnderTest;
 using validate::SampleWeights;
-using validate::Subject;
 
 constexpr double kTheta = 1.5;  // radians, as in the paper
 constexpr double kAlpha = 0.5;
@@ -29,13 +29,13 @@ struct Panel {
   SampleWeights weights;
 };
 
-/// The subject and the previous method, or this alone where the subject is of it.
-std::vector<Panel> panels_of(const Subject& subject) {
+/// The sampler and the previous method, or this alone where the sampler is of it.
+std::vector<Panel> panels_of(const SamplerUnderTest& sampler) {
   const Configuration c = validate::at_angles(kTheta / validate::kDegree, 0, kAlpha, kAlpha);
-  if (subject.claims.law == NormalLaw::all)
-    return {{"previous", "this sampler (all normals)", sample_weights(subject, c, kCells)}};
-  return {{"visible", "this sampler (visible normals)", sample_weights(subject, c, kCells)},
-          {"previous", "the previous method (all normals)", previous_weights(subject, c, kCells)}};
+  if (sampler.claims.normals == SampledNormals::all)
+    return {{"previous", "this sampler (all normals)", sample_weights(sampler, c, kCells)}};
+  return {{"visible", "this sampler (visible normals)", sample_weights(sampler, c, kCells)},
+          {"previous", "the previous method (all normals)", previous_weights(sampler, c, kCells)}};
 }
 
 std::string script(const std::vector<Panel>& panels) {
@@ -64,7 +64,7 @@ std::string script(const std::vector<Panel>& panels) {
   return text + "unset multiplot\n";
 }
 
-std::string caption(const Subject& subject, const std::vector<Panel>& panels) {
+std::string caption(const SamplerUnderTest& sampler, const std::vector<Panel>& panels) {
   std::string text = fmt::format(
       "The weight of each reflected sample at grazing incidence, theta {} = {:.2f} degrees, alpha "
       "{}, for facets that reflect everything (Figure 4 of Heitz and d'Eon 2014). Black: samples "
@@ -73,11 +73,11 @@ std::string caption(const Subject& subject, const std::vector<Panel>& panels) {
   for (const Panel& p : panels)
     text += fmt::format(" Of {}: largest {:.3g}, mean {:.4f}, lost {:.1f} %.", p.title,
                         p.weights.largest, p.weights.mean, 100 * p.weights.lost);
-  if (subject.claims.law == NormalLaw::all)
+  if (sampler.claims.normals == SampledNormals::all)
     return text +
-           "This subject draws all normals, so half of the square is lost and weights have no "
+           "This sampler draws all normals, so half of the square is lost and weights have no "
            "bound; those of visible normals are never above 1.";
-  if (subject.claims.law == NormalLaw::visible_v_cavity)
+  if (sampler.claims.normals == SampledNormals::visible_v_cavity)
     text +=
         "The noise is the choice between the two facets of a cavity, made by the last digits of "
         "u1.";
@@ -87,10 +87,10 @@ std::string caption(const Subject& subject, const std::vector<Panel>& panels) {
          "cells.";
 }
 
-io::ExrImage data(const Subject& subject, const std::vector<Panel>& panels) {
+io::ExrImage data(const SamplerUnderTest& sampler, const std::vector<Panel>& panels) {
   io::ExrImage exr{kCells, kCells};
   for (const Panel& p : panels) exr.channels[p.name + ".weight"] = channel(p.weights.weight);
-  exr.attributes = {{"subject", subject.name},
+  exr.attributes = {{"sampler", sampler.name},
                     {"axes", "u1 to the right and u2 up, from 0 to 1"},
                     {"values", "weight of the reflected sample"}};
   return exr;
@@ -98,12 +98,12 @@ io::ExrImage data(const Subject& subject, const std::vector<Panel>& panels) {
 
 }  // namespace
 
-Picture weight_picture(const Subject& subject, const PictureOptions& options) {
-  const auto panels = panels_of(subject);
+Picture weight_picture(const SamplerUnderTest& sampler, const PictureOptions& options) {
+  const auto panels = panels_of(sampler);
   return {"weights", "Sample weights over the random numbers, at grazing incidence",
-          caption(subject, panels),
+          caption(sampler, panels),
           png_of(script(panels), kPictureWidth, kHeight, options.scratch / "weights.png"),
-          write_exr_image(data(subject, panels))};
+          write_exr_image(data(sampler, panels))};
 }
 
 }  // namespace vndf::tools

@@ -1,10 +1,10 @@
-// The judge: all stages on one subject.
+// The validator: all checks on one sampler.
 #include "vndf/validate/validate.h"
 
 #include <algorithm>
 #include <functional>
 
-#include "vndf/validate/checks/cross_validation.h"
+#include "vndf/validate/checks/cross_check.h"
 #include "vndf/validate/checks/density_check.h"
 #include "vndf/validate/checks/distribution_check.h"
 #include "vndf/validate/checks/furnace_check.h"
@@ -15,14 +15,14 @@
 namespace vndf::validate {
 namespace {
 
-/// How much each stage does.
+/// How much each check does.
 struct Effort {
-  QuantileOptions map;
-  std::size_t cross_points, even_points;
+  UErrorOptions map;
+  std::size_t cross_check_points, quasi_random_points;
   std::uint64_t samples;  // of each configuration
 };
 
-Effort effort(const JudgeOptions& o) {
+Effort effort(const ValidationOptions& o) {
   switch (o.thoroughness) {
     case Thoroughness::quick:
       return {{.places = 150, .slopes = 3, .stride = 2, .workers = o.workers}, 20, 50000, 100000};
@@ -33,52 +33,54 @@ Effort effort(const JudgeOptions& o) {
   }
 }
 
-using Stage = std::function<std::vector<Finding>()>;
+using Check = std::function<std::vector<CheckResult>()>;
 
 }  // namespace
 
 bool Verdict::passed() const {
-  return all_passed(findings);
+  return all_passed(results);
 }
 
-const Finding* Verdict::first_failure() const {
-  const auto f = std::find_if(findings.begin(), findings.end(),
-                              [](const Finding& finding) { return !finding.passed(); });
-  return f == findings.end() ? nullptr : &*f;
+const CheckResult* Verdict::first_failure() const {
+  const auto f = std::find_if(results.begin(), results.end(),
+                              [](const CheckResult& result) { return !result.passed(); });
+  return f == results.end() ? nullptr : &*f;
 }
 
-Verdict judge(const Subject& subject, const JudgeOptions& options) {
+Verdict validate_sampler(const SamplerUnderTest& sampler, const ValidationOptions& options) {
   const Effort effort = validate::effort(options);
-  const double significance = sidak(kRunSignificance, options.subjects);
-  Verdict verdict{.subject = subject.name, .findings = {}};
+  const double significance = sidak(kRunSignificance, options.samplers);
+  Verdict verdict{.sampler = sampler.name, .results = {}};
 
-  std::vector<Stage> stages{[&] { return test_hard_cases(subject); }};
-  if (subject.claims.inverse_map)
-    stages.push_back([&] { return measure_quantile_error(subject, effort.map); });
-  stages.push_back([&] { return test_density(subject, options.workers); });
-  stages.push_back([&] { return test_furnace(subject, options.workers); });
-  if (subject.claims.smooth_map)
-    stages.push_back(
-        [&] { return measure_even_law(subject, effort.even_points, options.workers); });
-  if (subject.claims.inverse_map)
-    stages.push_back([&] { return cross_validate(subject, effort.cross_points, options.workers); });
-  stages.push_back([&] {
-    auto findings = test_law(subject, {.samples = effort.samples,
-                                       .seed = options.seed,
-                                       .significance = significance,
-                                       .stop_at_first_failure = options.stop_at_first_failure,
-                                       .workers = options.workers});
-    verdict.samples = effort.samples * law_configurations().size();
+  std::vector<Check> checks{[&] { return check_hard_cases(sampler); }};
+  if (sampler.claims.monotone_inverse)
+    checks.push_back([&] { return check_u_error(sampler, effort.map); });
+  checks.push_back([&] { return check_density(sampler, options.workers); });
+  checks.push_back([&] { return check_furnace(sampler, options.workers); });
+  if (sampler.claims.smooth)
+    checks.push_back(
+        [&] { return check_quasi_random(sampler, effort.quasi_random_points, options.workers); });
+  if (sampler.claims.monotone_inverse)
+    checks.push_back(
+        [&] { return cross_check(sampler, effort.cross_check_points, options.workers); });
+  checks.push_back([&] {
+    auto results =
+        check_distribution(sampler, {.samples = effort.samples,
+                                     .seed = options.seed,
+                                     .significance = significance,
+                                     .stop_at_first_failure = options.stop_at_first_failure,
+                                     .workers = options.workers});
+    verdict.samples = effort.samples * check_configurations().size();
     const double count = static_cast<double>(effort.samples);
-    verdict.visible_u_error = visible_u_error(count, findings.front().bound);
+    verdict.visible_u_error = visible_u_error(count, results.front().bound);
     verdict.visible_bin_error = visible_bin_error(count, kBins);
-    return findings;
+    return results;
   });
 
-  for (const Stage& stage : stages) {
-    const auto findings = stage();
-    verdict.findings.insert(verdict.findings.end(), findings.begin(), findings.end());
-    if (options.stop_at_first_failure && !all_passed(findings)) break;
+  for (const Check& check : checks) {
+    const auto results = check();
+    verdict.results.insert(verdict.results.end(), results.begin(), results.end());
+    if (options.stop_at_first_failure && !all_passed(results)) break;
   }
   return verdict;
 }

@@ -1,4 +1,4 @@
-// The judge: all stages on one subject. The stages without random numbers come first: they see
+// The validator: all checks on one sampler. The checks without random numbers come first: they see
 // errors of 1e-5, where counting a million samples sees those of 1e-2.
 #pragma once
 
@@ -19,29 +19,29 @@ enum class Thoroughness {
   thorough   ///< 1e9 samples
 };
 
-struct JudgeOptions {
+struct ValidationOptions {
   Thoroughness thoroughness = Thoroughness::standard;
-  /// Of all random numbers of the law test.
+  /// Of all random numbers of the distribution check.
   std::uint64_t seed = 1;
-  /// Leave out the stages after one that fails.
+  /// Leave out the checks after one that fails.
   bool stop_at_first_failure = false;
-  /// Subjects of the whole run, which share its significance.
-  std::size_t subjects = 1;
+  /// Samplers of the whole run, which share its significance.
+  std::size_t samplers = 1;
   support::Workers workers = {};
 };
 
 struct Verdict {
-  std::string subject;
-  std::vector<Finding> findings;
+  std::string sampler;
+  std::vector<CheckResult> results;
   std::uint64_t samples = 0;  ///< that were counted, in all
   /// What the counted samples of one configuration can see: errors in u and of the mass of a bin.
   double visible_u_error = 0, visible_bin_error = 0;
 
   bool passed() const;
-  /// The first finding that did not pass, or null.
-  const Finding* first_failure() const;
+  /// The first result that did not pass, or null.
+  const CheckResult* first_failure() const;
 };
 
-Verdict judge(const Subject& subject, const JudgeOptions& options = {});
+Verdict validate_sampler(const SamplerUnderTest& sampler, const ValidationOptions& options = {});
 
 }  // namespace vndf::validate

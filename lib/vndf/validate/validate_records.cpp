@@ -1,4 +1,4 @@
-// The judge on records.
+// The validator on records.
 #include "vndf/validate/validate_records.h"
 
 #include <algorithm>
@@ -15,10 +15,11 @@
 namespace vndf::validate {
 namespace {
 
-constexpr std::size_t kWorthTables = 300;  // records of one configuration, to tabulate its law
-constexpr std::size_t kMostConfigurations = 64;  // that are judged one by one, not in bands
+constexpr std::size_t kWorthTables =
+    300;  // records of one configuration, to tabulate its distribution
+constexpr std::size_t kMostConfigurations = 64;  // that are checked one by one, not in bands
 constexpr std::size_t kFewestInGroup = 100;
-constexpr std::size_t kConditionals = 4000;  // records whose slope y is judged, 0.1 ms each
+constexpr std::size_t kConditionals = 4000;  // records whose slope y is checked, 0.1 ms each
 constexpr std::size_t kDetected = 1000;      // records that a map is detected from
 constexpr double kNearMap = 1e-2;
 constexpr double kFacing = 1e-5;  // text has fewer digits than a float
@@ -64,30 +65,30 @@ Place place_of_group(const Records& records, const Indices& group) {
           of([](const Configuration& c) { return c.alpha.y; })};
 }
 
-class RecordJudge {
+class RecordValidation {
  public:
-  RecordJudge(const Records& records, const SlopeLaw& law, const RecordOptions& options)
-      : records_(records), law_(law), options_(options), uniforms_(records.list.size()) {}
+  RecordValidation(const Records& records, const ExactSlopes& exact, const RecordOptions& options)
+      : records_(records), exact_(exact), options_(options), uniforms_(records.list.size()) {}
 
-  Verdict judge() {
+  Verdict run() {
     transform();
-    Verdict verdict{.subject = "records", .findings = judge_each()};
-    const auto add = [&](const std::vector<Finding>& more) {
-      verdict.findings.insert(verdict.findings.end(), more.begin(), more.end());
+    Verdict verdict{.sampler = "records", .results = check_each()};
+    const auto add = [&](const std::vector<CheckResult>& more) {
+      verdict.results.insert(verdict.results.end(), more.begin(), more.end());
     };
-    if (claims_map()) add(judge_map());
-    auto laws = judge_law();
-    bound_probabilities(laws, kRunSignificance, number_of_tests(laws));
-    add(laws);
+    if (is_monotone_inverse()) add(check_inverse());
+    auto counted = check_distribution();
+    bound_probabilities(counted, kRunSignificance, number_of_tests(counted));
+    add(counted);
     const auto count = static_cast<double>(records_.list.size());
     verdict.samples = records_.list.size();
-    verdict.visible_u_error = visible_u_error(count, laws.front().bound);
+    verdict.visible_u_error = visible_u_error(count, counted.front().bound);
     verdict.visible_bin_error = visible_bin_error(count, bins_for(verdict.samples).line);
     return verdict;
   }
 
  private:
-  /// Uniform numbers of all records; those of one configuration share its law.
+  /// Uniform numbers of all records; those of one configuration share its distribution.
   void transform() {
     const auto groups = grouped(records_, key_of);
     configurations_ = groups.size();
@@ -95,47 +96,48 @@ class RecordJudge {
     for (const auto& [key, group] : groups) pieces.push_back(&group);
     support::parallel_for(pieces.size(), options_.workers, [&](std::size_t p) {
       const Indices& group = *pieces[p];
-      const ExactLaw law(law_, options_.law, records_.list[group.front()].configuration,
-                         group.size() >= kWorthTables ? Use::many : Use::few);
+      const ExactDistribution distribution(exact_, options_.normals,
+                                           records_.list[group.front()].configuration,
+                                           group.size() >= kWorthTables ? Use::many : Use::few);
       for (const std::size_t i : group) {
         std::mt19937_64 random(options_.seed + i);
         const double v = (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53;
-        uniforms_[i] = law.uniforms(upright(records_.list[i].wm), v);
+        uniforms_[i] = distribution.uniforms(upright(records_.list[i].wm), v);
       }
     });
   }
 
-  /// A normal below the horizon is a finding of its own; the law takes it as horizontal.
+  /// A normal below the horizon is a result of its own; the distribution takes it as horizontal.
   static Vec3<double> upright(const Vec3<double>& wm) { return {wm.x, wm.y, std::max(0.0, wm.z)}; }
 
-  std::vector<Finding> judge_each() const {
+  std::vector<CheckResult> check_each() const {
     Worst horizon, facing, pdf;
     for (const Record& r : records_.list) {
       const Configuration& c = r.configuration;
       const Place place = place_of(c, r.u1, r.u2);
-      const double stretch = 1 + std::max(c.alpha.x, c.alpha.y) * law_.slopes().mean_slope();
+      const double stretch = 1 + std::max(c.alpha.x, c.alpha.y) * exact_.unit_slopes().mean_slope();
       horizon.see(std::max(0.0, -r.wm.z), place);
       facing.see(std::max(0.0, -dot(c.wi, r.wm)) / stretch, place);
       if (records_.has_pdf) pdf.see(density_error(r), place);
     }
-    std::vector<Finding> findings{horizon.finding("normals", "below the horizon", kFacing)};
-    if (options_.law != NormalLaw::all)
-      findings.push_back(facing.finding("normals", "facing away / (1 + alpha mu)", kFacing));
-    if (records_.has_pdf) findings.push_back(pdf.finding("density", "pdf", kRecordDensityError));
-    return findings;
+    std::vector<CheckResult> results{horizon.result("normals", "below the horizon", kFacing)};
+    if (options_.normals != SampledNormals::all)
+      results.push_back(facing.result("normals", "facing away / (1 + alpha mu)", kFacing));
+    if (records_.has_pdf) results.push_back(pdf.result("density", "pdf", kRecordDensityError));
+    return results;
   }
 
   double density_error(const Record& r) const {
     if (r.wm.z < kSmallestHeight) return 0;
-    const ExactLaw law(law_, options_.law, r.configuration, Use::few);
-    const auto exact = [&](const Vec3<double>& m) { return law.pdf(m); };
-    const auto facing = [&](const Vec3<double>& m) { return law.facing_pdf(m); };
+    const ExactDistribution distribution(exact_, options_.normals, r.configuration, Use::few);
+    const auto exact = [&](const Vec3<double>& m) { return distribution.pdf(m); };
+    const auto facing = [&](const Vec3<double>& m) { return distribution.facing_pdf(m); };
     return density_distance(r.pdf, r.wm, exact, facing);
   }
 
-  bool claims_map() const {
-    if (!records_.has_u || options_.law != NormalLaw::visible_smith) return false;
-    if (options_.inverse_map) return *options_.inverse_map;
+  bool is_monotone_inverse() const {
+    if (!records_.has_u || options_.normals != SampledNormals::visible_smith) return false;
+    if (options_.monotone_inverse) return *options_.monotone_inverse;
     std::size_t seen = 0, near = 0;
     for_some(kDetected, [&](std::size_t i) {
       ++seen;
@@ -151,7 +153,7 @@ class RecordJudge {
     for (std::size_t i = 0; i < n; i += stride) f(i);
   }
 
-  std::vector<Finding> judge_map() const {
+  std::vector<CheckResult> check_inverse() const {
     Worst marginal;
     for (std::size_t i = 0; i < records_.list.size(); ++i) {
       const Record& r = records_.list[i];
@@ -167,49 +169,50 @@ class RecordJudge {
     });
     Worst conditional;
     for (const Worst& w : each) conditional.see(w);
-    return {marginal.finding("map", "u-error of slope x", options_.u_error),
-            conditional.finding("map", "u-error of slope y", options_.u_error)};
+    return {marginal.result("inverse", "u-error of slope x", options_.u_error),
+            conditional.result("inverse", "u-error of slope y", options_.u_error)};
   }
 
   double conditional_error(const Record& r) const {
-    const StretchedSlope s = StretchedFrame(law_, r.configuration).slope_of(r.wm);
+    const StretchedSlope s = StretchedFrame(exact_, r.configuration).slope_of(r.wm);
     const double x = s.x / s.w;
-    if (!(r.wm.z >= kSmallestHeight) || !ConditionalLaw::judged(law_.slopes(), x)) return 0;
-    return std::abs(ConditionalLaw(law_.slopes(), x).cdf(s.y / s.w).u - r.u2);
+    if (!(r.wm.z >= kSmallestHeight) || !ExactConditional::is_checked(exact_.unit_slopes(), x))
+      return 0;
+    return std::abs(ExactConditional(exact_.unit_slopes(), x).cdf(s.y / s.w).u - r.u2);
   }
 
-  std::vector<Finding> judge_law() const {
+  std::vector<CheckResult> check_distribution() const {
     const auto groups = configurations_ <= kMostConfigurations ? grouped(records_, key_of)
                                                                : grouped(records_, band_of);
-    std::vector<Finding> parts;
+    std::vector<CheckResult> parts;
     for (const auto& [key, group] : groups) {
       if (group.size() < kFewestInGroup) continue;
-      merge_findings(parts, judge_group(group, "law, part", place_of_group(records_, group)));
+      merge_results(parts, check_group(group, "worst group", place_of_group(records_, group)));
     }
     if (groups.size() == 1) {
-      for (Finding& f : parts) f.stage = "law";
+      for (CheckResult& f : parts) f.check = "distribution";
       return parts;
     }
     Indices all(records_.list.size());
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-    auto findings = judge_group(all, "law", {});
-    findings.insert(findings.begin(), parts.begin(), parts.end());
-    return findings;
+    auto results = check_group(all, "distribution", {});
+    results.insert(results.begin(), parts.begin(), parts.end());
+    return results;
   }
 
-  std::vector<Finding> judge_group(const Indices& group, const std::string& stage,
-                                   const Place& where) const {
+  std::vector<CheckResult> check_group(const Indices& group, const std::string& check,
+                                       const Place& where) const {
     UniformCounts counts(bins_for(group.size()));
     for (const std::size_t i : group) counts.add(uniforms_[i]);
-    auto findings = counts.findings(options_.declared, stage, where);
+    auto results = counts.results(options_.declared, check, where);
     const auto radius = [](const Uniforms& w) { return w.r; };
     const auto azimuth = [](const Uniforms& w) { return w.phi; };
     const auto add = [&](const std::string& name, auto variable, auto given) {
-      if (auto f = judge_dependence(group, variable, given)) {
-        f->stage = stage;
+      if (auto f = check_dependence(group, variable, given)) {
+        f->check = check;
         f->statistic = name;
         f->where = where;
-        findings.push_back(*f);
+        results.push_back(*f);
       }
     };
     const auto theta = [](const Configuration& c) { return c.theta(); };
@@ -221,7 +224,7 @@ class RecordJudge {
     add("azimuth given theta", azimuth, theta);
     add("azimuth given phi of wi", azimuth, phi);
     add("azimuth given ax / ay", azimuth, stretch);
-    return findings;
+    return results;
   }
 
   /// Uniform numbers must not depend on the configuration either. A mistake in a fixed frame, such
@@ -229,8 +232,8 @@ class RecordJudge {
   /// put in rows of equal size by a property of theirs, and each row is counted by itself. Nothing
   /// where the records are too few, or all alike.
   template <class Variable, class Given>
-  std::optional<Finding> judge_dependence(const Indices& group, Variable variable,
-                                          Given given) const {
+  std::optional<CheckResult> check_dependence(const Indices& group, Variable variable,
+                                              Given given) const {
     constexpr std::size_t kRows = 8, kFewestColumns = 5;
     const std::size_t columns = std::min(kSideR, bins_for(group.size() / kRows).line);
     if (group.size() < kRows * kFewestInGroup || columns < kFewestColumns) return {};
@@ -249,11 +252,11 @@ class RecordJudge {
     }
     const double p = chi_square_p(statistic, kRows * (columns - 1) + 1,
                                   static_cast<double>(group.size()), options_.declared.density);
-    return Finding{.kind = Kind::probability, .measured = p, .tests = 1};
+    return CheckResult{.kind = Kind::probability, .measured = p, .tests = 1};
   }
 
   const Records& records_;
-  const SlopeLaw& law_;
+  const ExactSlopes& exact_;
   const RecordOptions& options_;
   std::vector<Uniforms> uniforms_;
   std::size_t configurations_ = 0;
@@ -261,12 +264,13 @@ class RecordJudge {
 
 }  // namespace
 
-Verdict judge_records(const Records& records, const SlopeLaw& law, const RecordOptions& options) {
+Verdict validate_records(const Records& records, const ExactSlopes& exact,
+                         const RecordOptions& options) {
   if (records.list.size() < kFewestRecords)
     throw std::invalid_argument("there are " + std::to_string(records.list.size()) +
                                 " records; give " + std::to_string(kFewestRecords) +
                                 " or more, better a million");
-  return RecordJudge(records, law, options).judge();
+  return RecordValidation(records, exact, options).run();
 }
 
 }  // namespace vndf::validate

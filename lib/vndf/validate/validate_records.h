@@ -1,7 +1,7 @@
-// The judge on records: samples that somebody's sampler has drawn, at configurations of his choice.
-// Judged are the law of the normals, by the transform of each to uniform numbers, whatever the map;
-// the map, where random numbers are given and it is the monotone inverse; and the density, where it
-// is given.
+// The validator on records: samples that somebody's sampler has drawn, at configurations of his
+// choice. Checked are the distribution of the normals, by the transform of each to uniform numbers,
+// whatever the map; the map, where random numbers are given and it is the monotone inverse; and the
+// density, where it is given.
 #pragma once
 
 #include <cstdint>
@@ -19,21 +19,22 @@ inline constexpr std::size_t kFewestRecords = 100;
 inline constexpr double kRecordDensityError = 1e-3;
 
 struct RecordOptions {
-  NormalLaw law = NormalLaw::visible_smith;
-  /// Whether (u1, u2) to slopes claims to be the monotone inverse of the law; where not said, it
-  /// does if 99 in 100 slopes x are within 1e-2 in u of it.
-  std::optional<bool> inverse_map = {};
+  SampledNormals normals = SampledNormals::visible_smith;
+  /// Whether (u1, u2) to slopes claims to be the monotone inverse of the distribution; where not
+  /// said, it does if 99 in 100 slopes x are within 1e-2 in u of it.
+  std::optional<bool> monotone_inverse = {};
   /// Largest |CDF(x(u)) - u| of a map.
   double u_error = 1e-5;
-  /// What the law may differ by: that of the tables which made it.
+  /// What the distribution may differ by: that of the tables which made it.
   DeclaredErrors declared = {};
   /// Of the random numbers that place normals lower than kSmallestHeight.
   std::uint64_t seed = 1;
   support::Workers workers = {};
 };
 
-/// Findings at single configurations, or bands of them where there are many, and over all records.
+/// Results at single configurations, or bands of them where there are many, and over all records.
 /// Throws std::invalid_argument for fewer records than kFewestRecords.
-Verdict judge_records(const Records& records, const SlopeLaw& law, const RecordOptions& options);
+Verdict validate_records(const Records& records, const ExactSlopes& exact,
+                         const RecordOptions& options);
 
 }  // namespace vndf::validate

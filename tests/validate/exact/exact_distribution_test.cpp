@@ -16,13 +16,15 @@ using namespace vndf::test;
 
 namespace {
 
-constexpr NormalLaw kKinds[]{NormalLaw::visible_smith, NormalLaw::visible_v_cavity, NormalLaw::all};
+constexpr SampledNormals kKinds[]{SampledNormals::visible_smith, SampledNormals::visible_v_cavity,
+                                  SampledNormals::all};
 const Configuration kTilted = at_angles(60, 35, 0.7, 0.3);
 
-double weighted(const ExactLaw& law, const NormalQuadrature& nodes, double (*f)(const Uniforms&)) {
+double weighted(const ExactDistribution& exact, const NormalQuadrature& nodes,
+                double (*f)(const Uniforms&)) {
   double sum = 0;
   for (std::size_t k = 0; k < nodes.wm.size(); ++k)
-    sum += law.pdf(nodes.wm[k]) * nodes.weight[k] * f(law.uniforms(nodes.wm[k], 0.5));
+    sum += exact.pdf(nodes.wm[k]) * nodes.weight[k] * f(exact.uniforms(nodes.wm[k], 0.5));
   return sum;
 }
 
@@ -31,11 +33,11 @@ double weighted(const ExactLaw& law, const NormalQuadrature& nodes, double (*f)(
 TEST_CASE("uniform numbers have the moments of uniform numbers under the density of normals") {
   // Quadrature of the pdf over the hemisphere: a reference that knows no CDF.
   for (const std::string name : {"ggx", "disk", "mixture:0.7*ggx+0.3*beckmann@0.2"}) {
-    const auto law = law_of(name);
-    for (const NormalLaw kind : kKinds)
+    const auto slopes = exact_slopes(name);
+    for (const SampledNormals kind : kKinds)
       for (const Configuration& c : {kTilted, at_angles(85, 100, 0.1, 1)}) {
-        const ExactLaw exact(*law, kind, c);
-        const auto nodes = normal_quadrature(*law, kind, c);
+        const ExactDistribution exact(*slopes, kind, c);
+        const auto nodes = normal_quadrature(*slopes, kind, c);
         const auto moment = [&](double (*f)(const Uniforms&)) { return weighted(exact, nodes, f); };
         CAPTURE(name, static_cast<int>(kind), c.theta());
         CHECK(moment([](const Uniforms&) { return 1.0; }) ==
@@ -52,31 +54,31 @@ TEST_CASE("uniform numbers have the moments of uniform numbers under the density
 }
 
 TEST_CASE("the derivative of w_x is the marginal density, weighted by what is seen") {
-  const auto law = law_of("beckmann");
-  for (const NormalLaw kind : kKinds) {
-    const ExactLaw exact(*law, kind, kTilted);
+  const auto slopes = exact_slopes("beckmann");
+  for (const SampledNormals kind : kKinds) {
+    const ExactDistribution exact(*slopes, kind, kTilted);
     const double c = exact.frame().cotangent().slope();
-    const double hidden = law->slopes().backfacing(c).value;
+    const double hidden = slopes->unit_slopes().backfacing(c).value;
     for (double x = -2.9; x < 3; x += 0.19) {
       const auto w = [&](double at) {
         return exact.uniforms(exact.frame().normal_of({at, 0.3, 1}), 0.5).x;
       };
       const double seen = std::max(0.0, c - x);
-      const double weight = kind == NormalLaw::all             ? 1
-                            : kind == NormalLaw::visible_smith ? seen / (c + hidden)
-                                                               : std::min(seen, 2 * c) / c;
-      const double p = law->slopes().density(std::abs(x)).value;
+      const double weight = kind == SampledNormals::all             ? 1
+                            : kind == SampledNormals::visible_smith ? seen / (c + hidden)
+                                                                    : std::min(seen, 2 * c) / c;
+      const double p = slopes->unit_slopes().density(std::abs(x)).value;
       CAPTURE(static_cast<int>(kind), x);
       CHECK((w(x + 1e-5) - w(x - 1e-5)) / 2e-5 == Approx(p * weight).epsilon(1e-4).margin(1e-8));
     }
   }
 }
 
-TEST_CASE("the law at the horizon is the limit of those just above it") {
-  const auto law = law_of("beckmann");
+TEST_CASE("the distribution at the horizon is the limit of those just above it") {
+  const auto slopes = exact_slopes("beckmann");
   const Configuration at = at_angles(90, 0, 0.5, 0.5), above{{1, 0, 1e-12}, at.alpha};
-  for (const NormalLaw kind : kKinds) {
-    const ExactLaw limit(*law, kind, at), near(*law, kind, above);
+  for (const SampledNormals kind : kKinds) {
+    const ExactDistribution limit(*slopes, kind, at), near(*slopes, kind, above);
     for (const double x : {-0.01, -0.7, -2.0})
       for (const double y : {-1.5, -0.2, 0.0, 0.4, 3.0}) {
         const Vec3<double> wm = limit.frame().normal_of({x, y, 1});
@@ -91,29 +93,29 @@ TEST_CASE("the law at the horizon is the limit of those just above it") {
 }
 
 TEST_CASE("Lambda, G1 and D agree with the closed forms of GGX") {
-  const auto law = law_of("ggx");
+  const auto slopes = exact_slopes("ggx");
   const ClosedFunctions<double, GgxForms> closed;
   for (const double degrees : {1.0, 30.0, 75.0, 89.9}) {
     const Configuration c = at_angles(degrees, 20, 0.5, 0.2);
-    CHECK(law->lambda(c.wi, c.alpha) == Approx(closed.lambda(c.wi, c.alpha)).epsilon(1e-10));
-    CHECK(law->g1(c.wi, c.alpha) == Approx(closed.g1(c.wi, c.alpha)).epsilon(1e-10));
-    CHECK(law->d(c.wi, c.alpha) == Approx(closed.d(c.wi, c.alpha)).epsilon(1e-10));
+    CHECK(slopes->lambda(c.wi, c.alpha) == Approx(closed.lambda(c.wi, c.alpha)).epsilon(1e-10));
+    CHECK(slopes->g1(c.wi, c.alpha) == Approx(closed.g1(c.wi, c.alpha)).epsilon(1e-10));
+    CHECK(slopes->d(c.wi, c.alpha) == Approx(closed.d(c.wi, c.alpha)).epsilon(1e-10));
   }
-  CHECK(law->g1({1, 0, 0}, {0.5, 0.5}) == 0);
-  CHECK(law->d({1, 0, 0}, {0.5, 0.5}) == 0);
+  CHECK(slopes->g1({1, 0, 0}, {0.5, 0.5}) == 0);
+  CHECK(slopes->d({1, 0, 0}, {0.5, 0.5}) == 0);
 }
 
 TEST_CASE("the stretched frame turns a slope into a normal and back") {
-  const auto law = law_of("beckmann");
-  const StretchedFrame frame(*law, kTilted);
+  const auto slopes = exact_slopes("beckmann");
+  const StretchedFrame frame(*slopes, kTilted);
   const StretchedSlope s = frame.slope_of(frame.normal_of({-1.5, 0.25, 1}));
   CHECK(s.x / s.w == Approx(-1.5));
   CHECK(s.y / s.w == Approx(0.25));
 }
 
 TEST_CASE("a normal beyond single precision is placed at random in the mass beyond its edge") {
-  const auto law = law_of("student-t:gamma=1.55");
-  const ExactLaw exact(*law, NormalLaw::visible_smith, kTilted);
+  const auto slopes = exact_slopes("student-t:gamma=1.55");
+  const ExactDistribution exact(*slopes, SampledNormals::visible_smith, kTilted);
   const Vec3<double> edge{-0.8, -0.6, kSmallestHeight}, horizontal{-0.8, -0.6, 0};
   const Uniforms at_edge = exact.uniforms(edge, 0.3);
   CHECK(1 - at_edge.r > 1e-6);  // there is a mass to speak of
@@ -124,8 +126,8 @@ TEST_CASE("a normal beyond single precision is placed at random in the mass beyo
 }
 
 TEST_CASE("the pole, the horizon and the edge of visibility are ends of the uniform square") {
-  const auto law = law_of("ggx");
-  const ExactLaw exact(*law, NormalLaw::visible_smith, at_angles(60, 0, 1, 1));
+  const auto slopes = exact_slopes("ggx");
+  const ExactDistribution exact(*slopes, SampledNormals::visible_smith, at_angles(60, 0, 1, 1));
   CHECK(exact.uniforms({0, 0, 1}, 0.5).r == 0);
   CHECK(exact.uniforms({1, 0, 0}, 0.5).r == Approx(1));
   // Normals at right angles to wi have slope x = cot(theta), the largest that is seen.

@@ -1,5 +1,5 @@
-// The law of the radius: against one-dimensional integrals of another kind, the closed visible
-// area, and the radial CDFs that are known.
+// The distribution of the radius: against one-dimensional integrals of another kind, the closed
+// visible area, and the radial CDFs that are known.
 #include "vndf/validate/exact/radial_distribution.h"
 
 #include <cmath>
@@ -13,8 +13,8 @@ using namespace vndf::test;
 
 namespace {
 
-const std::vector<std::string> kLaws{"beckmann", "ggx",     "student-t:gamma=1.55",
-                                     "disk",     "annulus", "exponential-power:p=0.5"};
+const std::vector<std::string> kDistributions{"beckmann", "ggx",     "student-t:gamma=1.55",
+                                              "disk",     "annulus", "exponential-power:p=0.5"};
 const std::vector<double> kAngles{0, 0.01, 10, 45, 80, 89.9, 90 - 1e-7, 90};
 
 BoundedSlope<double> cotangent(double degrees) {
@@ -24,41 +24,44 @@ BoundedSlope<double> cotangent(double degrees) {
 
 }  // namespace
 
-TEST_CASE("the radius of all GGX and Beckmann slopes has the closed law") {
+TEST_CASE("the radius of all GGX and Beckmann slopes has the closed distribution") {
   for (const std::string name : {"ggx", "beckmann"}) {
-    const auto law = law_of(name);
-    const double mu = law->slopes().mean_slope();
+    const auto slopes = exact_slopes(name);
+    const double mu = slopes->unit_slopes().mean_slope();
     for (double r = 1e-3; r < 5; r *= 1.1) {
       const double square = r * r;
       const double above = name == "ggx" ? 1 / (1 + square) : std::exp(-square);
-      const auto cdf = law->all_radii().cdf(std::asinh(r / mu));
+      const auto cdf = slopes->all_radii().cdf(std::asinh(r / mu));
       CHECK(cdf.u == Approx(1 - above).margin(kRadialError));
       CHECK(cdf.complement == Approx(above).epsilon(kRadialTailError));
     }
   }
 }
 
-TEST_CASE("the visible area of the radial law is that of the Cartesian one") {
-  for (const auto& name : kLaws) {
-    const auto law = law_of(name);
+TEST_CASE("the visible area of the radial distribution is that of the Cartesian one") {
+  for (const auto& name : kDistributions) {
+    const auto slopes = exact_slopes(name);
     for (const double degrees : kAngles) {
       const auto c = cotangent(degrees);
       const double cosine = c.numerator() / c.hypotenuse(), sine = c.denominator() / c.hypotenuse();
-      const double hidden = sine > 0 ? sine * law->slopes().backfacing(cosine / sine).value : 0;
+      const double hidden =
+          sine > 0 ? sine * slopes->unit_slopes().backfacing(cosine / sine).value : 0;
       CAPTURE(name, degrees);
-      CHECK(RadialLaw(law->slopes(), c).visible_area() == Approx(cosine + hidden).epsilon(1e-9));
+      CHECK(RadialDistribution(slopes->unit_slopes(), c).visible_area() ==
+            Approx(cosine + hidden).epsilon(1e-9));
     }
   }
 }
 
 TEST_CASE("the tabulated radial CDF agrees with the integral, in both tails relative") {
-  for (const auto& name : kLaws) {
-    const auto law = law_of(name);
+  for (const auto& name : kDistributions) {
+    const auto slopes = exact_slopes(name);
     for (const double degrees : kAngles) {
       const auto c = cotangent(degrees);
-      const RadialLaw radii(law->slopes(), c);
+      const RadialDistribution radii(slopes->unit_slopes(), c);
       for (double a = 1e-3; a < 12; a *= 1.17) {
-        const auto table = radii.cdf(a), exact = radial_cdf(law->slopes(), law->all_radii(), c, a);
+        const auto table = radii.cdf(a),
+                   exact = radial_cdf(slopes->unit_slopes(), slopes->all_radii(), c, a);
         CAPTURE(name, degrees, a);
         CHECK(std::abs(table.u - exact.u) < kRadialError);
         if (exact.u > kRadialSmallestTail)
@@ -71,8 +74,8 @@ TEST_CASE("the tabulated radial CDF agrees with the integral, in both tails rela
 }
 
 TEST_CASE("the radial CDF runs from 0 at the pole to 1 at the horizon and never falls") {
-  const auto law = law_of("student-t:gamma=1.55");
-  const RadialLaw radii(law->slopes(), cotangent(70));
+  const auto slopes = exact_slopes("student-t:gamma=1.55");
+  const RadialDistribution radii(slopes->unit_slopes(), cotangent(70));
   CHECK(radii.cdf(0).u == 0);
   CHECK(radii.cdf(std::numeric_limits<double>::infinity()).complement == 0);
   double last = 0;

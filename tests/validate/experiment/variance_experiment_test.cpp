@@ -207,12 +207,12 @@ TEST_CASE("the spread of pixels falls with the square root of their samples") {
 
 TEST_CASE("a biased estimator is noticed") {
   const auto options = options_at(60, {0.5, 0.5}, smooth_environment(), 1 << 19);
-  const auto noticed = [&](Estimator subject) {
+  const auto noticed = [&](Estimator sampler) {
     const auto right =
-        subject.surface == "smith"
+        sampler.surface == "smith"
             ? make_estimator<SmithCorrelated>("right", "smith", Ggx{})
             : make_estimator<VCavityMasking>("right", "v-cavity", ExactVCavity{AllGgx{Ggx{}}});
-    return std::abs(run_variance_experiment({right, subject}, options).back().deviation) >
+    return std::abs(run_variance_experiment({right, sampler}, options).back().deviation) >
            kSameMean;
   };
   CHECK_FALSE(noticed(make_estimator<SmithCorrelated>("right", "smith", Ggx{})));

@@ -17,8 +17,8 @@ namespace {
 constexpr std::size_t kPlaces = 60;
 
 DistributionCurves ggx_curves() {
-  const auto& named = find_subject("ggx-exact");
-  return distribution_curves(named.make(named.name, law_of("ggx")), {0.1, 1}, kPlaces);
+  const auto& named = find_sampler("ggx-exact");
+  return distribution_curves(named.make(named.name, exact_slopes("ggx")), {0.1, 1}, kPlaces);
 }
 
 /// `closed(at)` against both values of every place.
@@ -26,12 +26,12 @@ template <class F>
 void check(const Curve& curve, F closed) {
   REQUIRE(curve.at.size() == kPlaces);
   REQUIRE(curve.exact.size() == kPlaces);
-  REQUIRE(curve.subject.size() == kPlaces);
+  REQUIRE(curve.sampler.size() == kPlaces);
   for (std::size_t k = 0; k < kPlaces; ++k) {
     CAPTURE(curve.alpha, curve.at[k]);
     // The direction is rounded to single precision, which D at its steepest multiplies by 100.
     CHECK(curve.exact[k] == Approx(closed(curve.at[k])).epsilon(2e-5));
-    CHECK(curve.subject[k] == Approx(closed(curve.at[k])).epsilon(2e-5));
+    CHECK(curve.sampler[k] == Approx(closed(curve.at[k])).epsilon(2e-5));
   }
 }
 
@@ -60,7 +60,7 @@ TEST_CASE("p22 is shown as far as one slope in a million, or to the largest") {
   CHECK(std::is_sorted(at.begin(), at.end()));
   CHECK(at.front() == Approx(0.01).epsilon(0.15));  // E|X| = 1
   CHECK(at.back() == Approx(1e3).epsilon(0.15));    // P(R > r) = 1 / (1 + r^2)
-  const auto& named = find_subject("ggx-exact");
-  const Subject disk = named.make(named.name, law_of("disk"));
+  const auto& named = find_sampler("ggx-exact");
+  const SamplerUnderTest disk = named.make(named.name, exact_slopes("disk"));
   CHECK(distribution_curves(disk, {1}, kPlaces).p22.at.back() == Approx(1).epsilon(0.05));
 }

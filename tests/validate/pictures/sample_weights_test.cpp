@@ -24,22 +24,22 @@ constexpr double kRounding = 1e-6;  // of single precision
 /// tens in a corner.
 constexpr double kMeanError = 2e-3, kPreviousMeanError = 1e-2;
 
-Subject subject_called(const std::string& name) {
-  const auto& named = find_subject(name);
-  return named.make(named.name, std::make_shared<SlopeLaw>(named.make_distribution()));
+SamplerUnderTest sampler_called(const std::string& name) {
+  const auto& named = find_sampler(name);
+  return named.make(named.name, std::make_shared<ExactSlopes>(named.make_distribution()));
 }
 
 /// Reflectance of Smith's surface: the mean of G2 / G1 = (1 + Li) / (1 + Li + Lo) over the exact
 /// density of visible normals.
-double smith_reflectance(const SlopeLaw& law, const Configuration& c) {
-  const ExactLaw exact(law, NormalLaw::visible_smith, c);
-  const auto nodes = normal_quadrature(law, NormalLaw::visible_smith, c);
-  const double li = law.lambda(c.wi, c.alpha);
+double smith_reflectance(const ExactSlopes& slopes, const Configuration& c) {
+  const ExactDistribution exact(slopes, SampledNormals::visible_smith, c);
+  const auto nodes = normal_quadrature(slopes, SampledNormals::visible_smith, c);
+  const double li = slopes.lambda(c.wi, c.alpha);
   double sum = 0;
   for (std::size_t k = 0; k < nodes.wm.size(); ++k) {
     const Vec3<double> wo = reflect(c.wi, nodes.wm[k]);
     if (!(wo.z > 0)) continue;
-    const double shadowed = (1 + li) / (1 + li + law.lambda(wo, c.alpha));
+    const double shadowed = (1 + li) / (1 + li + slopes.lambda(wo, c.alpha));
     sum += exact.pdf(nodes.wm[k]) * nodes.weight[k] * shadowed;
   }
   return sum;
@@ -49,8 +49,8 @@ double smith_reflectance(const SlopeLaw& law, const Configuration& c) {
 
 TEST_CASE("weights of both methods have the reflectance of the surface as their mean") {
   for (const char* name : {"ggx-caps", "beckmann-exact"}) {
-    const Subject s = subject_called(name);
-    const double reflectance = smith_reflectance(*s.law, kGrazing);
+    const SamplerUnderTest s = sampler_called(name);
+    const double reflectance = smith_reflectance(*s.exact, kGrazing);
     CAPTURE(name, reflectance);
     CHECK(sample_weights(s, kGrazing, kCells).mean == Approx(reflectance).margin(kMeanError));
     CHECK(previous_weights(s, kGrazing, kCells).mean ==
@@ -60,7 +60,7 @@ TEST_CASE("weights of both methods have the reflectance of the surface as their 
 
 TEST_CASE("weights of visible normals are at most 1, and few are lost") {
   for (const char* name : {"ggx-caps", "beckmann-exact", "ggx-v-cavity"}) {
-    const SampleWeights w = sample_weights(subject_called(name), kGrazing, kCells);
+    const SampleWeights w = sample_weights(sampler_called(name), kGrazing, kCells);
     CAPTURE(name);
     CHECK(w.largest <= 1 + kRounding);
     CHECK(w.largest == largest(w.weight));
@@ -69,17 +69,17 @@ TEST_CASE("weights of visible normals are at most 1, and few are lost") {
 }
 
 TEST_CASE("half of all normals are lost at grazing, and the others have large weights") {
-  const SampleWeights smith = previous_weights(subject_called("ggx-caps"), kGrazing, kCells);
+  const SampleWeights smith = previous_weights(sampler_called("ggx-caps"), kGrazing, kCells);
   CHECK(smith.largest > 10);
   CHECK(smith.lost == Approx(0.5).margin(0.05));
   // of V-cavities no larger than 2
-  const SampleWeights cavities = previous_weights(subject_called("ggx-v-cavity"), kGrazing, kCells);
+  const SampleWeights cavities = previous_weights(sampler_called("ggx-v-cavity"), kGrazing, kCells);
   CHECK(cavities.largest <= 2 + 2 * kRounding);
   CHECK(cavities.largest > 1.9);
 }
 
 TEST_CASE("a sampler of all normals is the previous method") {
-  const Subject ndf = subject_called("ggx-ndf");
+  const SamplerUnderTest ndf = sampler_called("ggx-ndf");
   const SampleWeights own = sample_weights(ndf, kGrazing, 40);
   const SampleWeights previous = previous_weights(ndf, kGrazing, 40);
   for (std::size_t k = 0; k < own.weight.values.size(); ++k)

@@ -1,5 +1,5 @@
-// The pictures of sampled slopes: the exact law against its marginals and a count of points, the
-// scatter of samples against their noise, and a mistake that must show.
+// The pictures of sampled slopes: the exact distribution against its marginals and a count of
+// points, the scatter of samples against their noise, and a mistake that must show.
 #include "vndf/validate/pictures/slope_histogram.h"
 
 #include <cmath>
@@ -17,13 +17,14 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-Subject caps_of(const std::string& law) {
-  return make_subject<float>("caps", law_of(law), CapsGgx<float>{}, Claims{});
+SamplerUnderTest caps_of(const std::string& distribution) {
+  return under_test<float>("caps", exact_slopes(distribution), CapsGgx<float>{}, Claims{});
 }
 
-/// A subject of which only the law is asked.
-Subject law_only(const std::string& law, NormalLaw kind) {
-  return make_subject<float>("law", law_of(law), CapsGgx<float>{}, Claims{.law = kind});
+/// A sampler of which only the distribution is asked.
+SamplerUnderTest claim_of(const std::string& distribution, SampledNormals kind) {
+  return under_test<float>("claim", exact_slopes(distribution), CapsGgx<float>{},
+                           Claims{.normals = kind});
 }
 
 double sum(const Grid& grid) {
@@ -34,12 +35,12 @@ double sum(const Grid& grid) {
 
 TEST_CASE("the exact density has the mass 1 where all slopes are in the picture") {
   constexpr std::size_t kCells = 31;
-  for (const NormalLaw kind :
-       {NormalLaw::visible_smith, NormalLaw::visible_v_cavity, NormalLaw::all})
+  for (const SampledNormals kind :
+       {SampledNormals::visible_smith, SampledNormals::visible_v_cavity, SampledNormals::all})
     for (const double theta : {0.0, 60.0, 90.0}) {
-      const Subject disk = law_only("disk", kind);
+      const SamplerUnderTest disk = claim_of("disk", kind);
       const Configuration c = at_angles(theta, 45, 2, 1);
-      const double w = shown_slopes(*disk.law, c.alpha), side = 2 * w / kCells;
+      const double w = shown_slopes(*disk.exact, c.alpha), side = 2 * w / kCells;
       CAPTURE(static_cast<int>(kind), theta);
       CHECK(sum(exact_slope_density(disk, c, w, kCells)) * side * side ==
             Approx(1).margin(kCellError));
@@ -48,10 +49,10 @@ TEST_CASE("the exact density has the mass 1 where all slopes are in the picture"
 
 TEST_CASE("columns of the exact density are steps of the marginal CDF") {
   // The CDF comes from integrals over one variable (visible_slopes.h) and knows no cells.
-  const Subject beckmann = law_only("beckmann", NormalLaw::visible_smith);
-  const auto& slopes = beckmann.law->slopes();
+  const SamplerUnderTest beckmann = claim_of("beckmann", SampledNormals::visible_smith);
+  const auto& slopes = beckmann.exact->unit_slopes();
   const Configuration c = at_angles(60, 0, 1, 1);
-  const precompute::VisibleSlopes visible(slopes, StretchedFrame(*beckmann.law, c).cotangent());
+  const precompute::VisibleSlopes visible(slopes, StretchedFrame(*beckmann.exact, c).cotangent());
   constexpr std::size_t kCells = 41;
   constexpr double kHalfWidth = 5, kSide = 2 * kHalfWidth / kCells;  // exp(-25) lies beyond
   const Grid exact = exact_slope_density(beckmann, c, kHalfWidth, kCells);
@@ -70,7 +71,7 @@ TEST_CASE("columns of the exact density are steps of the marginal CDF") {
 TEST_CASE("cells through which the rim of a disk passes are as full as a count of points says") {
   constexpr std::size_t kCells = 21, kPoints = 300;
   constexpr double kHalfWidth = 1.1, kSide = 2 * kHalfWidth / kCells;
-  const Subject disk = law_only("disk", NormalLaw::all);
+  const SamplerUnderTest disk = claim_of("disk", SampledNormals::all);
   const Grid exact = exact_slope_density(disk, at_angles(0, 0, 1, 1), kHalfWidth, kCells);
   double worst = 0;
   for (std::size_t j = 0; j < kCells; ++j)
@@ -89,7 +90,7 @@ TEST_CASE("cells through which the rim of a disk passes are as full as a count o
   CHECK(worst < kCellError / kPi);
 }
 
-TEST_CASE("the deviate of a count is that of Poisson's law, summed term by term") {
+TEST_CASE("the deviate of a count is that of Poisson's distribution, summed term by term") {
   constexpr double kExpected = 3.7;
   double less = 0, equal = std::exp(-kExpected);
   for (std::uint64_t k = 0; k < 14; ++k) {
@@ -115,31 +116,31 @@ TEST_CASE("a sample where none may be deviates most, none there not at all") {
 }
 
 TEST_CASE("samples of an exact sampler scatter by their noise alone") {
-  const Subject caps = caps_of("ggx");
+  const SamplerUnderTest caps = caps_of("ggx");
   for (const double theta : {0.0, 60.0, 90.0}) {
     const Configuration c = at_angles(theta, 45, 2, 1);
-    const double w = shown_slopes(*caps.law, c.alpha);
+    const double w = shown_slopes(*caps.exact, c.alpha);
     const SlopeHistogram h =
         slope_histogram(caps, c, w, {.cells = 41, .samples = 200000, .seed = 5});
     const double side = 2 * w / 41, n = static_cast<double>(h.samples);
     CAPTURE(theta);
-    REQUIRE(h.judged > 100);
-    CHECK(std::abs(h.mean_square - 1) < 5 * std::sqrt(2 / static_cast<double>(h.judged)));
+    REQUIRE(h.compared > 100);
+    CHECK(std::abs(h.mean_square - 1) < 5 * std::sqrt(2 / static_cast<double>(h.compared)));
     CHECK(std::abs(sum(h.sampled) * side * side - h.inside) <
           5 * std::sqrt(h.inside * (1 - h.inside) / n));
   }
 }
 
-TEST_CASE("samples of another law deviate by more than their noise") {
+TEST_CASE("samples of another distribution deviate by more than their noise") {
   const Configuration c = at_angles(60, 45, 2, 1);
-  const Subject wrong = caps_of("student-t:gamma=2.1");  // GGX is 2
-  const SlopeHistogram h = slope_histogram(wrong, c, shown_slopes(*wrong.law, c.alpha),
+  const SamplerUnderTest wrong = caps_of("student-t:gamma=2.1");  // GGX is 2
+  const SlopeHistogram h = slope_histogram(wrong, c, shown_slopes(*wrong.exact, c.alpha),
                                            {.cells = 41, .samples = 200000, .seed = 5});
-  CHECK(h.mean_square > 1 + 10 * std::sqrt(2 / static_cast<double>(h.judged)));
+  CHECK(h.mean_square > 1 + 10 * std::sqrt(2 / static_cast<double>(h.compared)));
 }
 
 TEST_CASE("a histogram does not depend on the number of threads, but on its seed and stream") {
-  const Subject caps = caps_of("ggx");
+  const SamplerUnderTest caps = caps_of("ggx");
   const Configuration c = at_angles(30, 45, 2, 1);
   const auto sampled = [&](std::uint64_t seed, std::uint64_t stream, unsigned threads) {
     return slope_histogram(caps, c, 3,
@@ -155,9 +156,9 @@ TEST_CASE("a histogram does not depend on the number of threads, but on its seed
   CHECK(sampled(1, 0, 1) != sampled(1, 1, 1));
 }
 
-TEST_CASE("a picture shows all slopes of a bounded law and most of any other") {
-  CHECK(shown_slopes(*law_of("disk"), {2, 1}) == Approx(2.1));
+TEST_CASE("a picture shows all slopes of a bounded distribution and most of any other") {
+  CHECK(shown_slopes(*exact_slopes("disk"), {2, 1}) == Approx(2.1));
   // P(R < r) = r^2 / (1 + r^2) of GGX
-  const double r = shown_slopes(*law_of("ggx"), {1, 1}) / 1.05;
+  const double r = shown_slopes(*exact_slopes("ggx"), {1, 1}) / 1.05;
   CHECK(r * r / (1 + r * r) == Approx(0.85));
 }

@@ -1,4 +1,5 @@
-// The pictures of the u-error: an error put in by hand is read off, and the judge sees the same.
+// The pictures of the u-error: an error put in by hand is read off, and the validator sees the
+// same.
 #include "vndf/validate/pictures/u_error_map.h"
 
 #include <algorithm>
@@ -23,11 +24,13 @@ double moved(double u) {
 }
 
 /// The exact map at other random numbers: its u-error is kAmount u (1 - u), of both slopes.
-Subject moved_beckmann() {
-  Subject s = make_subject<double>("moved", law_of("beckmann"), InverseBeckmann<double>{},
-                                   Claims{.inverse_map = true});
+SamplerUnderTest moved_beckmann() {
+  SamplerUnderTest s =
+      under_test<double>("moved", exact_slopes("beckmann"), InverseBeckmann<double>{},
+                         Claims{.monotone_inverse = true});
   const InverseBeckmann<double> exact;
-  s.sample = [exact](const Configuration& c, std::span<const Pair> u, std::span<Vec3<double>> wm) {
+  s.sample = [exact](const Configuration& c, std::span<const RandomPair> u,
+                     std::span<Vec3<double>> wm) {
     for (std::size_t k = 0; k < u.size(); ++k)
       wm[k] = exact.sample(c.wi, c.alpha, moved(u[k].x), moved(u[k].y));
   };
@@ -70,30 +73,31 @@ TEST_CASE("the error put into a map is read off for slope y, less the rounding o
   CHECK(farthest_from_moved(map) < 1e-6);
 }
 
-TEST_CASE("the largest errors of the pictures are those that the judge finds") {
-  // Other places: the judge's are fewer, but at more incidences.
+TEST_CASE("the largest errors of the pictures are those that the u-error check finds") {
+  // Other places: the validator's are fewer, but at more incidences.
   const auto& built = small_tables("k:nu=1");
-  const Subject tables = tabulated_subject("k", law_of("k:nu=1"), built.tables, built.certificate);
-  const auto findings = measure_quantile_error(tables, {.places = 150, .slopes = 3, .stride = 2});
-  const auto judged = [&](const std::string& statistic) {
-    const auto f = std::find_if(findings.begin(), findings.end(),
-                                [&](const Finding& one) { return one.statistic == statistic; });
-    REQUIRE(f != findings.end());
+  const SamplerUnderTest tables =
+      tables_under_test("k", exact_slopes("k:nu=1"), built.tables, built.certificate);
+  const auto results = check_u_error(tables, {.places = 150, .slopes = 3, .stride = 2});
+  const auto checked = [&](const std::string& statistic) {
+    const auto f = std::find_if(results.begin(), results.end(),
+                                [&](const CheckResult& one) { return one.statistic == statistic; });
+    REQUIRE(f != results.end());
     return f->measured;
   };
   const double x = largest(marginal_error_map(tables, 61, 101, {}).error);
   const double y = largest(conditional_error_map(tables, 45, 61, 101, {}).error);
-  const double judged_x = judged("u-error of slope x"), judged_y = judged("u-error of slope y");
-  CAPTURE(x, judged_x, y, judged_y);
-  CHECK(x > 0.7 * judged_x);
-  CHECK(x < 1.4 * judged_x);
-  CHECK(y > 0.7 * judged_y);
-  CHECK(y < 1.4 * judged_y);
+  const double checked_x = checked("u-error of slope x"), checked_y = checked("u-error of slope y");
+  CAPTURE(x, checked_x, y, checked_y);
+  CHECK(x > 0.7 * checked_x);
+  CHECK(x < 1.4 * checked_x);
+  CHECK(y > 0.7 * checked_y);
+  CHECK(y < 1.4 * checked_y);
 }
 
 TEST_CASE("where no map is claimed nothing is said of it") {
-  const auto& named = find_subject("ggx-analytic");  // claims one outside a cone
-  const Subject analytic = named.make(named.name, law_of("ggx"));
+  const auto& named = find_sampler("ggx-analytic");  // claims one outside a cone
+  const SamplerUnderTest analytic = named.make(named.name, exact_slopes("ggx"));
   const Grid marginal = marginal_error_map(analytic, 91, 21, {}).error;
   CHECK(std::all_of(marginal.values.begin(), marginal.values.begin() + 21, is_unknown));
   CHECK(std::none_of(marginal.values.begin() + 21, marginal.values.end(), is_unknown));

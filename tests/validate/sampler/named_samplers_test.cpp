@@ -1,4 +1,4 @@
-// The reference samplers before the judge: the exact ones pass, and of the published ones the
+// The reference samplers before the validator: the exact ones pass, and of the published ones the
 // defects that their headers state are found, as large as stated.
 #include "vndf/validate/sampler/named_samplers.h"
 
@@ -24,16 +24,16 @@ using namespace vndf::test;
 
 namespace {
 
-Subject subject_of(const std::string& name) {
-  const NamedSubject& named = find_subject(name);
-  return named.make(named.name, std::make_shared<SlopeLaw>(named.make_distribution()));
+SamplerUnderTest sampler_of(const std::string& name) {
+  const NamedSampler& named = find_sampler(name);
+  return named.make(named.name, std::make_shared<ExactSlopes>(named.make_distribution()));
 }
 
-const Finding& find(const std::vector<Finding>& findings, const std::string& statistic) {
-  for (const Finding& f : findings)
+const CheckResult& find(const std::vector<CheckResult>& results, const std::string& statistic) {
+  for (const CheckResult& f : results)
     if (f.statistic == statistic) return f;
   FAIL("no statistic " << statistic);
-  return findings.front();
+  return results.front();
 }
 
 /// Samplers that are right, and those with a published defect.
@@ -58,21 +58,21 @@ class WidenedWrongly : public WalterRoughness<GgxNdf<T>> {
 
 TEST_CASE("every reference sampler has a verdict to expect") {
   std::size_t expected = 0;
-  for (const NamedSubject& s : named_subjects())
+  for (const NamedSampler& s : named_samplers())
     for (const auto* list : {&kRight, &kDefective})
       for (const std::string& name : *list) expected += s.name == name;
-  CHECK(expected == named_subjects().size());
+  CHECK(expected == named_samplers().size());
 }
 
 TEST_CASE("an unknown name is refused with the nearest known one") {
-  CHECK_THROWS_WITH(find_subject("ggx-cap"), contains("ggx-caps") && contains("'ggx-cap'"));
+  CHECK_THROWS_WITH(find_sampler("ggx-cap"), contains("ggx-caps") && contains("'ggx-cap'"));
 }
 
 TEST_CASE("the hemisphere construction of GGX passes, with a fixed seed") {
-  const Verdict v =
-      judge(subject_of("ggx-hemisphere"), {.thoroughness = Thoroughness::quick, .seed = 11});
-  for (const Finding& f : v.findings) {
-    CAPTURE(f.stage, f.statistic, f.measured, f.bound, f.where.theta);
+  const Verdict v = validate_sampler(sampler_of("ggx-hemisphere"),
+                                     {.thoroughness = Thoroughness::quick, .seed = 11});
+  for (const CheckResult& f : v.results) {
+    CAPTURE(f.check, f.statistic, f.measured, f.bound, f.where.theta);
     CHECK(f.passed());
   }
 }
@@ -80,33 +80,32 @@ TEST_CASE("the hemisphere construction of GGX passes, with a fixed seed") {
 TEST_CASE("the exact maps of GGX and Beckmann have no u-error but rounding") {
   constexpr double kRounding = 2e-7;  // GgxExactMethod::kFloatError, of both
   for (const std::string name : {"ggx-exact", "beckmann-exact"}) {
-    const auto findings =
-        measure_quantile_error(subject_of(name), {.places = 150, .slopes = 2, .stride = 4});
+    const auto results = check_u_error(sampler_of(name), {.places = 150, .slopes = 2, .stride = 4});
     CAPTURE(name);
-    CHECK(find(findings, "u-error of slope x").measured < kRounding);
-    CHECK(find(findings, "u-error of slope y").measured < kRounding);
+    CHECK(find(results, "u-error of slope x").measured < kRounding);
+    CHECK(find(results, "u-error of slope y").measured < kRounding);
   }
 }
 
 TEST_CASE("the rational fit of GGX errs in slope y as its header says, and ends in the tail") {
-  const auto findings =
-      measure_quantile_error(subject_of("ggx-analytic"), {.places = 150, .slopes = 3, .stride = 4});
-  const Finding& tails = find(findings, "u-error of slope y, tails");
+  const auto results =
+      check_u_error(sampler_of("ggx-analytic"), {.places = 150, .slopes = 3, .stride = 4});
+  const CheckResult& tails = find(results, "u-error of slope y, tails");
   CHECK_FALSE(tails.passed());
   CHECK(tails.measured == Approx(GgxAnalyticMethod::kFitError).epsilon(0.02));
-  CHECK_FALSE(find(findings, "u-error of slope y").passed());
+  CHECK_FALSE(find(results, "u-error of slope y").passed());
   // What lies beyond its last slope on each side is all in the tail.
-  CHECK(find(findings, "tail mass / 2^-20 - 1, slope y").measured ==
+  CHECK(find(results, "tail mass / 2^-20 - 1, slope y").measured ==
         Approx(GgxAnalyticMethod::kFitError / 0x1p-20).epsilon(0.02));
 }
 
 TEST_CASE("the cones of the analytic methods are found, as large as at their edge") {
   constexpr std::size_t kPoints = 200000;
   const auto distance = [](const std::string& name) {
-    const auto findings = measure_even_law(subject_of(name), kPoints, {});
-    return find(findings, "slope x, distance of cdfs");
+    const auto results = check_quasi_random(sampler_of(name), kPoints, {});
+    return find(results, "slope x, distance of cdfs");
   };
-  const Finding beckmann = distance("beckmann-analytic"), ggx = distance("ggx-analytic");
+  const CheckResult beckmann = distance("beckmann-analytic"), ggx = distance("ggx-analytic");
   CHECK_FALSE(beckmann.passed());
   CHECK_FALSE(ggx.passed());
   // The configuration nearest to the edge, 0.25 of 0.256 degrees, has 0.976 of its error.
@@ -117,23 +116,23 @@ TEST_CASE("the cones of the analytic methods are found, as large as at their edg
 
 TEST_CASE("masking that is of another distribution is found") {
   for (const std::string name : {"blinn-phong-ndf", "gtr-1.5-ndf"})
-    CHECK_FALSE(find(test_furnace(subject_of(name), {}), "weak white furnace - 1").passed());
+    CHECK_FALSE(find(check_furnace(sampler_of(name), {}), "weak white furnace - 1").passed());
 }
 
-TEST_CASE("Walter's widened roughness is judged by the paper's factor, not by the sampler's") {
-  const Subject right = subject_of("ggx-walter");
-  const Subject wrong = make_subject<float>(
-      "mistaken", right.law, WidenedSurface<float, WidenedWrongly<float>>(), right.claims);
-  CHECK(all_passed(measure_even_law(right, 20000, {})));
-  CHECK_FALSE(all_passed(measure_even_law(wrong, 20000, {})));
+TEST_CASE("Walter's widened roughness is checked by the paper's factor, not by the sampler's") {
+  const SamplerUnderTest right = sampler_of("ggx-walter");
+  const SamplerUnderTest wrong = under_test<float>(
+      "mistaken", right.exact, WidenedSurface<float, WidenedWrongly<float>>(), right.claims);
+  CHECK(all_passed(check_quasi_random(right, 20000, {})));
+  CHECK_FALSE(all_passed(check_quasi_random(wrong, 20000, {})));
 }
 
 TEST_CASE("every reference sampler gets its verdict at the default setting", "[.slow]") {
   const std::uint64_t seed = std::random_device{}();
   CAPTURE(seed);
-  for (const NamedSubject& s : named_subjects()) {
+  for (const NamedSampler& s : named_samplers()) {
     const bool right = std::find(kRight.begin(), kRight.end(), s.name) != kRight.end();
     CAPTURE(s.name);
-    CHECK(judge(subject_of(s.name), {.seed = seed}).passed() == right);
+    CHECK(validate_sampler(sampler_of(s.name), {.seed = seed}).passed() == right);
   }
 }

@@ -18,12 +18,12 @@ TEST_CASE("Sidak's bound makes the chance of any false rejection what was asked 
 TEST_CASE("chi-square p-values: table values, and a declared error moves the mean") {
   CHECK(chi_square_p(18.307, 11, 1000, 0) == Approx(0.05).epsilon(1e-3));  // 10 degrees, 5 %
   CHECK(chi_square_p(1e300, 11, 1000, 0) == 0);
-  // Mean k + lambda: half of the law is near it.
+  // Mean k + lambda: half of the distribution is near it.
   CHECK(chi_square_p(10006 + 500, 10007, 5e6, 0.01) == Approx(0.5).margin(0.01));
   CHECK(chi_square_p(100 + 50, 101, 5e5, 0.01) == Approx(0.5).margin(0.03));
 }
 
-TEST_CASE("the approximation for many degrees of freedom joins the exact noncentral law") {
+TEST_CASE("the approximation for many degrees of freedom joins the exact noncentral distribution") {
   // Just below and just above the switch, at the same number of standard deviations.
   for (const double z : {-2.0, 0.0, 2.0, 4.0}) {
     const auto p = [z](std::size_t bins) {

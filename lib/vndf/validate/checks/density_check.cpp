@@ -1,4 +1,4 @@
-// Stage: the density and what it is made of.
+// Check: the density and what it is made of.
 #include "vndf/validate/checks/density_check.h"
 
 #include <algorithm>
@@ -12,79 +12,80 @@
 namespace vndf::validate {
 namespace {
 
-constexpr const char* kStage = "density";
+constexpr const char* kCheck = "density";
 constexpr std::size_t kNormals = 2000;     // sampled normals of each configuration
 constexpr std::size_t kDerivatives = 300;  // places of the map's derivative
 
 /// Whether the density of the map can be had.
-bool tells_density(const Subject& subject) {
-  return subject.sample_double || subject.map_density;
+bool tells_density(const SamplerUnderTest& sampler) {
+  return sampler.sample_double || sampler.map_density;
 }
 
 struct DensityErrors {
   Worst integral, pdf, d, lambda, g1, jacobian;
 };
 
-class DensityJudge {
+class DensityCheck {
  public:
-  DensityJudge(const Subject& subject, const Configuration& c)
-      : subject_(subject), c_(c), law_(*subject.law, subject.claims.law, c) {}
+  DensityCheck(const SamplerUnderTest& sampler, const Configuration& c)
+      : sampler_(sampler), c_(c), distribution_(*sampler.exact, sampler.claims.normals, c) {}
 
-  DensityErrors judge() {
-    judge_integral();
-    judge_normals();
-    judge_shadowing();
-    if (subject_.claims.map_at(c_)) judge_map_density();
+  DensityErrors measure() {
+    measure_integral();
+    measure_normals();
+    measure_shadowing();
+    if (sampler_.claims.inverse_at(c_)) measure_map_density();
     return errors_;
   }
 
  private:
-  void judge_integral() {
-    const auto nodes = normal_quadrature(*subject_.law, subject_.claims.law, c_);
+  void measure_integral() {
+    const auto nodes = normal_quadrature(*sampler_.exact, sampler_.claims.normals, c_);
     std::vector<double> pdf(nodes.wm.size());
-    subject_.pdf(c_, nodes.wm, pdf);
+    sampler_.pdf(c_, nodes.wm, pdf);
     double sum = 0;
     for (std::size_t k = 0; k < pdf.size(); ++k) sum += pdf[k] * nodes.weight[k];
     errors_.integral.see(std::abs(sum - nodes.covered), place_of(c_));
   }
 
-  void judge_normals() {
-    std::vector<Pair> u(kNormals);
-    for (std::size_t k = 0; k < kNormals; ++k) u[k] = even_point(k);
+  void measure_normals() {
+    std::vector<RandomPair> u(kNormals);
+    for (std::size_t k = 0; k < kNormals; ++k) u[k] = quasi_random_point(k);
     std::vector<Vec3<double>> wm(kNormals);
     std::vector<double> pdf(kNormals), d(kNormals);
-    subject_.sample(c_, u, wm);
-    subject_.pdf(c_, wm, pdf);
-    subject_.d(c_.alpha, wm, d);
+    sampler_.sample(c_, u, wm);
+    sampler_.pdf(c_, wm, pdf);
+    sampler_.d(c_.alpha, wm, d);
     for (std::size_t k = 0; k < kNormals; ++k) {
       if (wm[k].z < kSmallestHeight) continue;
       const Place place = place_of(c_, u[k].x, u[k].y);
-      const auto pdf_of = [&](const auto& m) { return law_.pdf(m); };
-      const auto facing = [&](const auto& m) { return law_.facing_pdf(m); };
-      const auto d_of = [&](const auto& m) { return subject_.law->d(m, c_.alpha); };
+      const auto pdf_of = [&](const auto& m) { return distribution_.pdf(m); };
+      const auto facing = [&](const auto& m) { return distribution_.facing_pdf(m); };
+      const auto d_of = [&](const auto& m) { return sampler_.exact->d(m, c_.alpha); };
       errors_.pdf.see(density_distance(pdf[k], wm[k], pdf_of, facing), place);
       errors_.d.see(density_distance(d[k], wm[k], d_of, d_of), place);
     }
   }
 
-  void judge_shadowing() {
+  void measure_shadowing() {
     if (c_.wi.z == 0) return;  // Lambda is infinite
-    const double lambda = subject_.law->lambda(c_.wi, c_.alpha);
-    errors_.lambda.see(std::abs(subject_.lambda(c_) - lambda) / (1 + lambda), place_of(c_));
-    if (subject_.claims.law == NormalLaw::visible_v_cavity) return;  // its G1 is not Smith's
-    errors_.g1.see(std::abs(subject_.g1(c_) * (1 + lambda) - 1), place_of(c_));
+    const double lambda = sampler_.exact->lambda(c_.wi, c_.alpha);
+    errors_.lambda.see(std::abs(sampler_.lambda(c_) - lambda) / (1 + lambda), place_of(c_));
+    if (sampler_.claims.normals == SampledNormals::visible_v_cavity)
+      return;  // its G1 is not Smith's
+    errors_.g1.see(std::abs(sampler_.g1(c_) * (1 + lambda) - 1), place_of(c_));
   }
 
   Vec2<double> slope(double u1, double u2) const {
-    const Pair u{u1, u2};
+    const RandomPair u{u1, u2};
     Vec3<double> wm{};
-    subject_.sample_double(c_, {&u, 1}, {&wm, 1});
-    const StretchedSlope s = law_.frame().slope_of(wm);
+    sampler_.sample_double(c_, {&u, 1}, {&wm, 1});
+    const StretchedSlope s = distribution_.frame().slope_of(wm);
     return {s.x / s.w, s.y / s.w};
   }
 
   /// |d(slope) / d(u1, u2)| by central differences.
-  double determinant(const Pair& u) const {
+  double determinant(const RandomPair& u) const {
     const double h1 = 1e-4 * std::min(u.x, 1 - u.x), h2 = 1e-4 * std::min(u.y, 1 - u.y);
     const auto [x1, y1] = slope(u.x - h1, u.y);
     const auto [x2, y2] = slope(u.x + h1, u.y);
@@ -94,36 +95,37 @@ class DensityJudge {
   }
 
   /// The reciprocal of the map's density at `wm`, the normal at `u`: from the map, or as the
-  /// subject says.
-  double area(const Pair& u, const Vec3<double>& wm) const {
-    if (subject_.sample_double) return law_.frame().jacobian(wm) * determinant(u);
-    return 1 / subject_.map_density(c_, u);
+  /// sampler says.
+  double area(const RandomPair& u, const Vec3<double>& wm) const {
+    if (sampler_.sample_double) return distribution_.frame().jacobian(wm) * determinant(u);
+    return 1 / sampler_.map_density(c_, u);
   }
 
-  void judge_map_density() {
-    if (!tells_density(subject_)) return;
+  void measure_map_density() {
+    if (!tells_density(sampler_)) return;
     for (std::size_t k = 0; k < kDerivatives; ++k) {
-      const Pair u = even_point(k);
-      const Vec3<double> wm = subject_.sample_one(c_, u.x, u.y);
+      const RandomPair u = quasi_random_point(k);
+      const Vec3<double> wm = sampler_.sample_one(c_, u.x, u.y);
       double pdf = 0;
-      subject_.pdf(c_, {&wm, 1}, {&pdf, 1});
+      sampler_.pdf(c_, {&wm, 1}, {&pdf, 1});
       errors_.jacobian.see(std::abs(pdf * area(u, wm) - 1), place_of(c_, u.x, u.y));
     }
   }
 
-  const Subject& subject_;
+  const SamplerUnderTest& sampler_;
   Configuration c_;
-  ExactLaw law_;
+  ExactDistribution distribution_;
   DensityErrors errors_;
 };
 
 }  // namespace
 
-std::vector<Finding> test_density(const Subject& subject, const support::Workers& workers) {
-  const auto& list = law_configurations();
+std::vector<CheckResult> check_density(const SamplerUnderTest& sampler,
+                                       const support::Workers& workers) {
+  const auto& list = check_configurations();
   std::vector<DensityErrors> each(list.size());
   support::parallel_for(list.size(), workers,
-                        [&](std::size_t i) { each[i] = DensityJudge(subject, list[i]).judge(); });
+                        [&](std::size_t i) { each[i] = DensityCheck(sampler, list[i]).measure(); });
   DensityErrors all;
   for (const DensityErrors& e : each) {
     all.integral.see(e.integral);
@@ -133,17 +135,17 @@ std::vector<Finding> test_density(const Subject& subject, const support::Workers
     all.g1.see(e.g1);
     all.jacobian.see(e.jacobian);
   }
-  const Bounds& b = subject.bounds;
-  std::vector<Finding> findings{
-      all.integral.finding(kStage, "integral of pdf - 1", b.function_error),
-      all.pdf.finding(kStage, "pdf of sampled normals", b.function_error),
-      all.d.finding(kStage, "D", b.function_error),
-      all.lambda.finding(kStage, "Lambda", b.function_error)};
-  if (subject.claims.law != NormalLaw::visible_v_cavity)
-    findings.push_back(all.g1.finding(kStage, "G1", b.function_error));
-  if (subject.claims.inverse_map && tells_density(subject))
-    findings.push_back(all.jacobian.finding(kStage, "pdf times |Jacobian| - 1", b.density_error));
-  return findings;
+  const Bounds& b = sampler.bounds;
+  std::vector<CheckResult> results{
+      all.integral.result(kCheck, "integral of pdf - 1", b.function_error),
+      all.pdf.result(kCheck, "pdf of sampled normals", b.function_error),
+      all.d.result(kCheck, "D", b.function_error),
+      all.lambda.result(kCheck, "Lambda", b.function_error)};
+  if (sampler.claims.normals != SampledNormals::visible_v_cavity)
+    results.push_back(all.g1.result(kCheck, "G1", b.function_error));
+  if (sampler.claims.monotone_inverse && tells_density(sampler))
+    results.push_back(all.jacobian.result(kCheck, "pdf times |Jacobian| - 1", b.density_error));
+  return results;
 }
 
 }  // namespace vndf::validate

@@ -1,4 +1,4 @@
-// Stage: the density and what it is made of. pdf integrates to 1 over the normals, is the exact
+// Check: the density and what it is made of. pdf integrates to 1 over the normals, is the exact
 // density of the normals that are sampled, and is 1 / |Jacobian| of the map where that is known in
 // double precision; D, Lambda and G1 agree with their definitions.
 #pragma once
@@ -11,6 +11,7 @@
 
 namespace vndf::validate {
 
-std::vector<Finding> test_density(const Subject& subject, const support::Workers& workers);
+std::vector<CheckResult> check_density(const SamplerUnderTest& sampler,
+                                       const support::Workers& workers);
 
 }  // namespace vndf::validate

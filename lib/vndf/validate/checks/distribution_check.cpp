@@ -1,4 +1,4 @@
-// Stage: the law of sampled normals, by counting.
+// Check: the distribution of sampled normals, by counting.
 #include "vndf/validate/checks/distribution_check.h"
 
 #include <algorithm>
@@ -12,9 +12,10 @@ namespace {
 constexpr std::uint64_t kBlock = 1 << 15;
 constexpr std::size_t kBatch = 1024;
 
-void count_block(const Subject& subject, const Configuration& c, const ExactLaw& law,
-                 BlockRandom random, std::uint64_t samples, UniformCounts& counts) {
-  std::vector<Pair> u(kBatch);
+void count_block(const SamplerUnderTest& sampler, const Configuration& c,
+                 const ExactDistribution& distribution, BlockRandom random, std::uint64_t samples,
+                 UniformCounts& counts) {
+  std::vector<RandomPair> u(kBatch);
   std::vector<Vec3<double>> wm(kBatch);
   for (std::uint64_t done = 0; done < samples; done += kBatch) {
     const std::size_t size = std::min<std::uint64_t>(kBatch, samples - done);
@@ -22,21 +23,22 @@ void count_block(const Subject& subject, const Configuration& c, const ExactLaw&
       const double u1 = random.single();
       u[k] = {u1, random.single()};
     }
-    subject.sample(c, {u.data(), size}, {wm.data(), size});
-    for (std::size_t k = 0; k < size; ++k) counts.add(law.uniforms(wm[k], random.uniform()));
+    sampler.sample(c, {u.data(), size}, {wm.data(), size});
+    for (std::size_t k = 0; k < size; ++k)
+      counts.add(distribution.uniforms(wm[k], random.uniform()));
   }
 }
 
-UniformCounts count(const Subject& subject, const Configuration& c, std::uint64_t index,
-                    const LawTestOptions& options) {
-  const ExactLaw law(*subject.law, subject.claims.law, c);
+UniformCounts count(const SamplerUnderTest& sampler, const Configuration& c, std::uint64_t index,
+                    const DistributionCheckOptions& options) {
+  const ExactDistribution distribution(*sampler.exact, sampler.claims.normals, c);
   const BinCounts bins = bins_for(options.samples);
   UniformCounts all(bins);
   std::mutex mutex;  // guards `all`
   const std::uint64_t blocks = (options.samples + kBlock - 1) / kBlock;
   support::parallel_for(blocks, options.workers, [&](std::size_t block) {
     UniformCounts counts(bins);
-    count_block(subject, c, law, BlockRandom(options.seed, index, block),
+    count_block(sampler, c, distribution, BlockRandom(options.seed, index, block),
                 std::min(kBlock, options.samples - block * kBlock), counts);
     const std::lock_guard lock(mutex);
     all.add(counts);
@@ -46,7 +48,7 @@ UniformCounts count(const Subject& subject, const Configuration& c, std::uint64_
 
 }  // namespace
 
-const std::vector<Configuration>& law_configurations() {
+const std::vector<Configuration>& check_configurations() {
   static const std::vector<Configuration> list{at_angles(0, 0, 0.5, 0.5),
                                                at_angles(1e-3, 70, 1, 1),
                                                at_angles(0.25, 0, 1, 1),
@@ -66,13 +68,14 @@ const std::vector<Configuration>& law_configurations() {
   return list;
 }
 
-std::vector<Finding> test_law(const Subject& subject, const LawTestOptions& options) {
-  std::vector<Finding> all;
-  const auto& list = law_configurations();
+std::vector<CheckResult> check_distribution(const SamplerUnderTest& sampler,
+                                            const DistributionCheckOptions& options) {
+  std::vector<CheckResult> all;
+  const auto& list = check_configurations();
   for (std::size_t i = 0; i < list.size(); ++i) {
-    const UniformCounts counts = count(subject, list[i], i, options);
-    const auto here = counts.findings(subject.bounds.declared, "law", place_of(list[i]));
-    merge_findings(all, here);
+    const UniformCounts counts = count(sampler, list[i], i, options);
+    const auto here = counts.results(sampler.bounds.declared, "distribution", place_of(list[i]));
+    merge_results(all, here);
     // Every configuration has the same tests, so the bound is known from the first on.
     bound_probabilities(all, options.significance, list.size() * number_of_tests(here));
     if (options.stop_at_first_failure && !all_passed(all)) break;

@@ -1,5 +1,6 @@
-// Stage: the law of sampled normals, by counting. Every normal is transformed to uniform numbers
-// (exact_law.h), which are counted (uniformity.h). For every sampler, whatever its map.
+// Check: the distribution of sampled normals, by counting. Every normal is transformed to uniform
+// numbers (exact_distribution.h), which are counted (uniformity.h). For every sampler, whatever its
+// map.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,7 @@
 
 namespace vndf::validate {
 
-struct LawTestOptions {
+struct DistributionCheckOptions {
   /// Samples of each configuration. Beyond 1e8 the 24 bits of a single-precision random number
   /// above 1/2 move one sample in 3000 to the next of the 10007 bins, and count themselves.
   std::uint64_t samples = 2000000;
@@ -25,10 +26,12 @@ struct LawTestOptions {
   support::Workers workers = {};
 };
 
-/// Configurations at which laws are counted: pole to horizon, smooth to rough, anisotropy to 1:500.
-const std::vector<Configuration>& law_configurations();
+/// Configurations at which distributions are counted: pole to horizon, smooth to rough, anisotropy
+/// to 1:500.
+const std::vector<Configuration>& check_configurations();
 
 /// p-values, the smallest over all configurations, with their bounds.
-std::vector<Finding> test_law(const Subject& subject, const LawTestOptions& options);
+std::vector<CheckResult> check_distribution(const SamplerUnderTest& sampler,
+                                            const DistributionCheckOptions& options);
 
 }  // namespace vndf::validate

@@ -1,4 +1,4 @@
-// Stage: conservation of area and of energy.
+// Check: conservation of area and of energy.
 #include "vndf/validate/checks/furnace_check.h"
 
 #include <algorithm>
@@ -12,45 +12,45 @@
 namespace vndf::validate {
 namespace {
 
-constexpr const char* kStage = "furnace";
+constexpr const char* kCheck = "furnace";
 
 /// Integral of D(wm) times `factor(wm)` over the nodes.
 template <class F>
-double integral(const Subject& subject, const Configuration& c, const NormalQuadrature& nodes,
-                F factor) {
+double integral(const SamplerUnderTest& sampler, const Configuration& c,
+                const NormalQuadrature& nodes, F factor) {
   std::vector<double> d(nodes.wm.size());
-  subject.d(c.alpha, nodes.wm, d);
+  sampler.d(c.alpha, nodes.wm, d);
   double sum = 0;
   for (std::size_t k = 0; k < d.size(); ++k) sum += d[k] * nodes.weight[k] * factor(nodes.wm[k]);
   return sum;
 }
 
-double projected_area_error(const Subject& subject, const Configuration& c) {
-  const auto nodes = normal_quadrature(*subject.law, NormalLaw::all, c);
-  return std::abs(integral(subject, c, nodes, [](const auto& m) { return m.z; }) - nodes.covered);
+double projected_area_error(const SamplerUnderTest& sampler, const Configuration& c) {
+  const auto nodes = normal_quadrature(*sampler.exact, SampledNormals::all, c);
+  return std::abs(integral(sampler, c, nodes, [](const auto& m) { return m.z; }) - nodes.covered);
 }
 
-double visible_area_error(const Subject& subject, const Configuration& c) {
-  const auto nodes = normal_quadrature(*subject.law, NormalLaw::visible_smith, c);
+double visible_area_error(const SamplerUnderTest& sampler, const Configuration& c) {
+  const auto nodes = normal_quadrature(*sampler.exact, SampledNormals::visible_smith, c);
   const double area =
-      integral(subject, c, nodes, [&](const auto& m) { return std::max(0.0, dot(c.wi, m)); });
-  return std::abs(area * subject.g1(c) / c.wi.z - nodes.covered);
+      integral(sampler, c, nodes, [&](const auto& m) { return std::max(0.0, dot(c.wi, m)); });
+  return std::abs(area * sampler.g1(c) / c.wi.z - nodes.covered);
 }
 
 /// G2 both ways between the direction of `c` and all others, of either side, for a few facets that
 /// are seen from it.
-void see_reciprocity(const Subject& subject, const Configuration& c, Worst& worst) {
+void see_reciprocity(const SamplerUnderTest& sampler, const Configuration& c, Worst& worst) {
   constexpr std::size_t kFacets = 16;
-  std::vector<Pair> u(kFacets);
-  for (std::size_t k = 0; k < kFacets; ++k) u[k] = even_point(k);
+  std::vector<RandomPair> u(kFacets);
+  for (std::size_t k = 0; k < kFacets; ++k) u[k] = quasi_random_point(k);
   std::vector<Vec3<double>> wm(kFacets);
-  subject.sample(c, u, wm);
-  for (const Configuration& other : law_configurations())
+  sampler.sample(c, u, wm);
+  for (const Configuration& other : check_configurations())
     for (const double side : {1.0, -1.0}) {
       const Vec3<double> wo{other.wi.x, other.wi.y, side * other.wi.z};
       for (std::size_t k = 0; k < kFacets; ++k) {
-        const double forth = subject.g2(c.alpha, c.wi, wo, wm[k]);
-        const double back = subject.g2(c.alpha, wo, c.wi, wm[k]);
+        const double forth = sampler.g2(c.alpha, c.wi, wo, wm[k]);
+        const double back = sampler.g2(c.alpha, wo, c.wi, wm[k]);
         worst.see(std::abs(forth - back), place_of(c, u[k].x, u[k].y));
       }
     }
@@ -104,14 +104,15 @@ struct Excess {
   Worst mirror, glass;
 };
 
-void see_energy(const Subject& subject, const Configuration& c, Excess& excess) {
+void see_energy(const SamplerUnderTest& sampler, const Configuration& c, Excess& excess) {
   // All normals scatter as those that are seen.
-  const bool cavities = subject.claims.law == NormalLaw::visible_v_cavity;
+  const bool cavities = sampler.claims.normals == SampledNormals::visible_v_cavity;
   const auto nodes = normal_quadrature(
-      *subject.law, cavities ? NormalLaw::visible_v_cavity : NormalLaw::visible_smith, c);
+      *sampler.exact, cavities ? SampledNormals::visible_v_cavity : SampledNormals::visible_smith,
+      c);
   const Outgoing up = reflected(c, nodes), down = refracted(c, nodes);
-  const double mirror = energy(subject.mirror, c, up);
-  const double glass = energy(subject.glass, c, up) + energy(subject.glass, c, down);
+  const double mirror = energy(sampler.mirror, c, up);
+  const double glass = energy(sampler.glass, c, up) + energy(sampler.glass, c, down);
   // What is not a number stays so.
   excess.mirror.see(mirror <= 1 ? 0 : mirror - 1, place_of(c));
   excess.glass.see(glass <= 1 ? 0 : glass - 1, place_of(c));
@@ -125,16 +126,17 @@ struct FurnaceErrors {
 
 }  // namespace
 
-std::vector<Finding> test_furnace(const Subject& subject, const support::Workers& workers) {
-  const auto& list = law_configurations();
-  const bool smith = subject.claims.law != NormalLaw::visible_v_cavity;
+std::vector<CheckResult> check_furnace(const SamplerUnderTest& sampler,
+                                       const support::Workers& workers) {
+  const auto& list = check_configurations();
+  const bool smith = sampler.claims.normals != SampledNormals::visible_v_cavity;
   std::vector<FurnaceErrors> each(list.size());
   support::parallel_for(list.size(), workers, [&](std::size_t i) {
-    each[i].projected.see(projected_area_error(subject, list[i]), place_of(list[i]));
+    each[i].projected.see(projected_area_error(sampler, list[i]), place_of(list[i]));
     if (smith && list[i].wi.z > 0)
-      each[i].visible.see(visible_area_error(subject, list[i]), place_of(list[i]));
-    see_reciprocity(subject, list[i], each[i].reciprocity);
-    see_energy(subject, list[i], each[i].excess);
+      each[i].visible.see(visible_area_error(sampler, list[i]), place_of(list[i]));
+    see_reciprocity(sampler, list[i], each[i].reciprocity);
+    see_energy(sampler, list[i], each[i].excess);
   });
   FurnaceErrors all;
   for (const FurnaceErrors& e : each) {
@@ -144,13 +146,13 @@ std::vector<Finding> test_furnace(const Subject& subject, const support::Workers
     all.excess.mirror.see(e.excess.mirror);
     all.excess.glass.see(e.excess.glass);
   }
-  const double bound = subject.bounds.function_error;
-  std::vector<Finding> findings{all.projected.finding(kStage, "projected area - 1", bound)};
-  if (smith) findings.push_back(all.visible.finding(kStage, "weak white furnace - 1", bound));
-  findings.push_back(all.reciprocity.finding(kStage, "reciprocity of G2", kReciprocityError));
-  findings.push_back(all.excess.mirror.finding(kStage, "energy of a mirror over 1", bound));
-  findings.push_back(all.excess.glass.finding(kStage, "energy of glass over 1", bound));
-  return findings;
+  const double bound = sampler.bounds.function_error;
+  std::vector<CheckResult> results{all.projected.result(kCheck, "projected area - 1", bound)};
+  if (smith) results.push_back(all.visible.result(kCheck, "weak white furnace - 1", bound));
+  results.push_back(all.reciprocity.result(kCheck, "reciprocity of G2", kReciprocityError));
+  results.push_back(all.excess.mirror.result(kCheck, "energy of a mirror over 1", bound));
+  results.push_back(all.excess.glass.result(kCheck, "energy of glass over 1", bound));
+  return results;
 }
 
 }  // namespace vndf::validate

@@ -1,4 +1,4 @@
-// Stage: conservation of area and of energy (Heitz and d'Eon 2014, section 2; Heitz 2014, section
+// Check: conservation of area and of energy (Heitz and d'Eon 2014, section 2; Heitz 2014, section
 // 2).
 //
 //   projected area       int D(wm) wm.z dwm = 1
@@ -6,7 +6,7 @@
 //   reciprocity          G2(wi, wo, wm) = G2(wo, wi, wm), above and below the horizon
 //   energy               int f(wi, wo) |wo.z| dwo <= 1, facets of a perfect mirror and of glass
 //
-// all with the subject's own D and G1. The second, divided by its right side, is the weak white
+// all with the sampler's own D and G1. The second, divided by its right side, is the weak white
 // furnace test in the measure of half vectors: a surface without absorption and without shadowing
 // reflects what it masks not. With shadowing the rest is light that would be scattered again: less
 // than 1, never more.
@@ -23,6 +23,7 @@ namespace vndf::validate {
 /// Largest difference of G2 with wi and wo exchanged: the rounding of single precision.
 inline constexpr double kReciprocityError = 2e-6;
 
-std::vector<Finding> test_furnace(const Subject& subject, const support::Workers& workers);
+std::vector<CheckResult> check_furnace(const SamplerUnderTest& sampler,
+                                       const support::Workers& workers);
 
 }  // namespace vndf::validate

@@ -1,4 +1,4 @@
-// Stage: inputs at the edges of their ranges.
+// Check: inputs at the edges of their ranges.
 #include "vndf/validate/checks/hard_cases.h"
 
 #include <algorithm>
@@ -8,40 +8,43 @@
 namespace vndf::validate {
 namespace {
 
-constexpr const char* kStage = "hard cases";
+constexpr const char* kCheck = "hard cases";
 constexpr double kLargestDensity = 1e36;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// D / (wi.z G1): the density of a normal that faces wi.
-double facing_density(const Subject& subject, const Configuration& c, const Vec3<double>& wm) {
-  return subject.law->d(wm, c.alpha) / subject.law->visible_area(c.wi, c.alpha);
+double facing_density(const SamplerUnderTest& sampler, const Configuration& c,
+                      const Vec3<double>& wm) {
+  return sampler.exact->d(wm, c.alpha) / sampler.exact->visible_area(c.wi, c.alpha);
 }
 
 struct HardErrors {
   Worst finite, unit, horizon, facing, pdf;
 };
 
-void judge(const Subject& subject, const Configuration& c, const Pair& u, HardErrors& errors) {
+void measure(const SamplerUnderTest& sampler, const Configuration& c, const RandomPair& u,
+             HardErrors& errors) {
   const Place place = place_of(c, u.x, u.y);
-  const Vec3<double> wm = subject.sample_one(c, u.x, u.y);
+  const Vec3<double> wm = sampler.sample_one(c, u.x, u.y);
   const double length = std::sqrt(dot(wm, wm));
   errors.finite.see(std::isfinite(length) ? 0 : kInfinity, place);
   if (!std::isfinite(length)) return;
   errors.unit.see(std::abs(length - 1), place);
   errors.horizon.see(std::max(0.0, -wm.z), place);
-  const double stretch = 1 + std::max(c.alpha.x, c.alpha.y) * subject.law->slopes().mean_slope();
-  if (subject.claims.law != NormalLaw::all)
+  const double stretch =
+      1 + std::max(c.alpha.x, c.alpha.y) * sampler.exact->unit_slopes().mean_slope();
+  if (sampler.claims.normals != SampledNormals::all)
     errors.facing.see(std::max(0.0, -dot(c.wi, wm)) / stretch, place);
   // A density that is beyond single precision, as at the horizon of a heavy tail, is no error.
-  if (wm.z > 0 && !(facing_density(subject, c, wm) < kLargestDensity)) return;
+  if (wm.z > 0 && !(facing_density(sampler, c, wm) < kLargestDensity)) return;
   double pdf = 0;
-  subject.pdf(c, {&wm, 1}, {&pdf, 1});
+  sampler.pdf(c, {&wm, 1}, {&pdf, 1});
   errors.pdf.see(std::isfinite(pdf) && pdf >= 0 ? 0 : kInfinity, place);
 }
 
 }  // namespace
 
-std::vector<Finding> test_hard_cases(const Subject& subject) {
+std::vector<CheckResult> check_hard_cases(const SamplerUnderTest& sampler) {
   constexpr double kSmallest = std::numeric_limits<float>::denorm_min();
   const double corners[] = {0, kSmallest, 0x1p-24, 0.5, 1 - 0x1p-24, 1};
   HardErrors errors;
@@ -56,14 +59,14 @@ std::vector<Finding> test_hard_cases(const Subject& subject) {
       for (const double phi : {0.0, 45.0, 90.0, 200.0})
         for (const double u1 : corners)
           for (const double u2 : corners)
-            judge(subject, at_angles(theta, phi, ax, ay), {u1, u2}, errors);
-  std::vector<Finding> findings{errors.finite.finding(kStage, "normals finite", 0),
-                                errors.unit.finding(kStage, "length - 1", kUnitSlack),
-                                errors.horizon.finding(kStage, "below the horizon", 0),
-                                errors.pdf.finding(kStage, "pdf finite, not negative", 0)};
-  if (subject.claims.law != NormalLaw::all)
-    findings.push_back(errors.facing.finding(kStage, "facing away / (1 + alpha mu)", kFacingError));
-  return findings;
+            measure(sampler, at_angles(theta, phi, ax, ay), {u1, u2}, errors);
+  std::vector<CheckResult> results{errors.finite.result(kCheck, "normals finite", 0),
+                                   errors.unit.result(kCheck, "length - 1", kUnitSlack),
+                                   errors.horizon.result(kCheck, "below the horizon", 0),
+                                   errors.pdf.result(kCheck, "pdf finite, not negative", 0)};
+  if (sampler.claims.normals != SampledNormals::all)
+    results.push_back(errors.facing.result(kCheck, "facing away / (1 + alpha mu)", kFacingError));
+  return results;
 }
 
 }  // namespace vndf::validate

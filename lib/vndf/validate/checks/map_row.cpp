@@ -1,4 +1,4 @@
-// One row of a map under judgement.
+// One row of a map under test.
 #include "vndf/validate/checks/map_row.h"
 
 #include <algorithm>
@@ -12,21 +12,21 @@ namespace vndf::validate {
 using precompute::from_tail;
 using precompute::u_error;
 
-bool RoundedConditional::judged(const precompute::UnitSlopes& slopes, double x) {
-  return ConditionalLaw::judged(slopes, x * (1 + kSlopeRounding));
+bool RoundedConditional::is_checked(const precompute::UnitSlopes& slopes, double x) {
+  return ExactConditional::is_checked(slopes, x * (1 + kSlopeRounding));
 }
 
 RoundedConditional::RoundedConditional(const precompute::UnitSlopes& slopes, double x)
-    : laws_{ConditionalLaw(slopes, x), ConditionalLaw(slopes, x * (1 - kSlopeRounding)),
-            ConditionalLaw(slopes, x * (1 + kSlopeRounding))} {}
+    : conditionals_{ExactConditional(slopes, x), ExactConditional(slopes, x * (1 - kSlopeRounding)),
+                    ExactConditional(slopes, x * (1 + kSlopeRounding))} {}
 
 /// Distance from 0 of the interval of errors that the CDFs at `y` give.
 template <class F>
 double RoundedConditional::least(double y, F error_of) const {
-  double low = error_of(laws_[0].cdf(y)), high = low;
-  for (const ConditionalLaw& law : laws_)
+  double low = error_of(conditionals_[0].cdf(y)), high = low;
+  for (const ExactConditional& conditional : conditionals_)
     for (const double s : {1 - kSlopeRounding, 1 + kSlopeRounding}) {
-      const double e = error_of(law.cdf(y * s));
+      const double e = error_of(conditional.cdf(y * s));
       if (std::isnan(e)) return kUnknown;
       low = std::min(low, e);
       high = std::max(high, e);
@@ -44,14 +44,14 @@ double RoundedConditional::ratio_error(double y, double u, double mass) const {
   });
 }
 
-MapRow::MapRow(const Subject& subject, const Configuration& configuration)
-    : subject_(subject),
+MapRow::MapRow(const SamplerUnderTest& sampler, const Configuration& configuration)
+    : sampler_(sampler),
       configuration_(configuration),
-      frame_(*subject.law, configuration),
-      visible_(subject.law->slopes(), frame_.cotangent()) {}
+      frame_(*sampler.exact, configuration),
+      visible_(sampler.exact->unit_slopes(), frame_.cotangent()) {}
 
 StretchedSlope MapRow::slope(double u1, double u2) const {
-  return frame_.slope_of(subject_.sample_one(configuration_, u1, u2));
+  return frame_.slope_of(sampler_.sample_one(configuration_, u1, u2));
 }
 
 Probability<double> MapRow::marginal_cdf(const StretchedSlope& s) const {
@@ -60,10 +60,10 @@ Probability<double> MapRow::marginal_cdf(const StretchedSlope& s) const {
 }
 
 std::optional<RoundedConditional> MapRow::conditional(double u1) const {
-  const auto& slopes = subject_.law->slopes();
+  const auto& slopes = sampler_.exact->unit_slopes();
   const StretchedSlope middle = slope(u1, 0.5);
   const double x = middle.x / middle.w;
-  if (!carried(middle) || !RoundedConditional::judged(slopes, x)) return {};
+  if (!carried(middle) || !RoundedConditional::is_checked(slopes, x)) return {};
   return RoundedConditional(slopes, x);
 }
 

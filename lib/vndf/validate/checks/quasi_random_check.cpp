@@ -1,4 +1,4 @@
-// Stage: the law of normals sampled at even points.
+// Check: the distribution of normals sampled at quasi-random points.
 #include "vndf/validate/checks/quasi_random_check.h"
 
 #include <algorithm>
@@ -14,16 +14,16 @@ struct Distances {
   Worst r, phi, x;
 };
 
-Distances measure(const Subject& subject, const Configuration& c, std::size_t points) {
-  std::vector<Pair> u(points);
-  for (std::size_t k = 0; k < points; ++k) u[k] = even_point(k);
+Distances measure(const SamplerUnderTest& sampler, const Configuration& c, std::size_t points) {
+  std::vector<RandomPair> u(points);
+  for (std::size_t k = 0; k < points; ++k) u[k] = quasi_random_point(k);
   std::vector<Vec3<double>> wm(points);
-  subject.sample(c, u, wm);
-  const ExactLaw law(*subject.law, subject.claims.law, c);
+  sampler.sample(c, u, wm);
+  const ExactDistribution distribution(*sampler.exact, sampler.claims.normals, c);
   LineCounts r(kBins), phi(kBins), x(kBins);
   for (std::size_t k = 0; k < points; ++k) {
     const double place = (static_cast<double>(k) + 0.5) / static_cast<double>(points);
-    const Uniforms w = law.uniforms(wm[k], place);
+    const Uniforms w = distribution.uniforms(wm[k], place);
     r.add(w.r);
     phi.add(w.phi);
     x.add(w.x);
@@ -37,23 +37,23 @@ Distances measure(const Subject& subject, const Configuration& c, std::size_t po
 
 }  // namespace
 
-std::vector<Finding> measure_even_law(const Subject& subject, std::size_t points,
-                                      const support::Workers& workers) {
-  const auto& list = law_configurations();
+std::vector<CheckResult> check_quasi_random(const SamplerUnderTest& sampler, std::size_t points,
+                                            const support::Workers& workers) {
+  const auto& list = check_configurations();
   std::vector<Distances> each(list.size());
   support::parallel_for(list.size(), workers,
-                        [&](std::size_t i) { each[i] = measure(subject, list[i], points); });
+                        [&](std::size_t i) { each[i] = measure(sampler, list[i], points); });
   Distances all;
   for (const Distances& d : each) {
     all.r.see(d.r);
     all.phi.see(d.phi);
     all.x.see(d.x);
   }
-  const double bound = std::max(subject.bounds.u_error, subject.bounds.declared.u) +
-                       kEvenError * std::pow(static_cast<double>(points), -0.75);
-  return {all.r.finding("even", "radius, distance of cdfs", bound),
-          all.phi.finding("even", "azimuth, distance of cdfs", bound),
-          all.x.finding("even", "slope x, distance of cdfs", bound)};
+  const double bound = std::max(sampler.bounds.u_error, sampler.bounds.declared.u) +
+                       kQuasiRandomError * std::pow(static_cast<double>(points), -0.75);
+  return {all.r.result("quasi-random", "radius, distance of cdfs", bound),
+          all.phi.result("quasi-random", "azimuth, distance of cdfs", bound),
+          all.x.result("quasi-random", "slope x, distance of cdfs", bound)};
 }
 
 }  // namespace vndf::validate

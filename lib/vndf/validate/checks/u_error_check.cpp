@@ -1,4 +1,4 @@
-// Stage: the map from random numbers to normals, without random numbers.
+// Check: the map from random numbers to normals, without random numbers.
 #include "vndf/validate/checks/u_error_check.h"
 
 #include <algorithm>
@@ -14,10 +14,10 @@ namespace {
 using precompute::from_tail;
 using precompute::u_error;
 
-constexpr const char* kStage = "map";
+constexpr const char* kCheck = "inverse";
 constexpr int kTailPlaces = 60;        // per tail, logarithmic
 constexpr double kSmallestU = 1e-9;    // towards 0; towards 1 single precision ends at 2^-24
-constexpr double kTailMass = 0x1p-20;  // of the tails whose ratio is judged
+constexpr double kTailMass = 0x1p-20;  // of the tails whose ratio is checked
 constexpr int kHalvings = 24;
 
 /// Single-precision numbers in (0, 1), increasing.
@@ -56,16 +56,17 @@ struct MapErrors {
 /// One row of the map: all u1 at one incidence.
 class Row {
  public:
-  Row(const Subject& subject, const Configuration& configuration) : map_(subject, configuration) {}
+  Row(const SamplerUnderTest& sampler, const Configuration& configuration)
+      : map_(sampler, configuration) {}
 
-  MapErrors judge(const QuantileOptions& options) {
+  MapErrors measure(const UErrorOptions& options) {
     const auto list = places(options.places);
-    for (const double u2 : {0.5, 0.1875, 0.875}) judge_marginal(list, u2);
-    judge_marginal_tails();
+    for (const double u2 : {0.5, 0.1875, 0.875}) measure_marginal(list, u2);
+    measure_marginal_tails();
     for (std::size_t k = 0; k < options.slopes; ++k) {
       // The first two are in the tails.
       const double u1 = k == 0 ? 1e-4 : k == 1 ? 0.9999 : support::golden(k);
-      judge_conditional(to_single(u1), list);
+      measure_conditional(to_single(u1), list);
     }
     return errors_;
   }
@@ -79,7 +80,7 @@ class Row {
     return u_error(map_.marginal_cdf(s), from_tail(u1));
   }
 
-  void judge_marginal(const std::vector<double>& list, double u2) {
+  void measure_marginal(const std::vector<double>& list, double u2) {
     double previous_error = 0, previous_u = 0, worst_change = 0, from = 0, to = 0;
     for (const double u1 : list) {
       const StretchedSlope s = slope(u1, u2);
@@ -113,7 +114,7 @@ class Row {
     errors_.jump.see(gain(from, to), place(from, u2));
   }
 
-  void judge_marginal_tails() {
+  void measure_marginal_tails() {
     constexpr double mass = kTailMass;
     const StretchedSlope low = slope(mass, 0.5), high = slope(1 - mass, 0.5);
     if (MapRow::carried(low)) {
@@ -124,7 +125,7 @@ class Row {
     errors_.ratio_x.see(std::abs(complement / mass - 1), place(1 - mass));
   }
 
-  void judge_conditional(double u1, const std::vector<double>& list) {
+  void measure_conditional(double u1, const std::vector<double>& list) {
     const auto conditional = map_.conditional(u1);
     if (!conditional) return;
     for (const double u2 : list) {
@@ -132,10 +133,10 @@ class Row {
       if (!MapRow::carried(s)) continue;
       errors_.y.see(conditional->error(s.y / s.w, u2), u2, place(u1, u2));
     }
-    judge_conditional_tails(*conditional, u1);
+    measure_conditional_tails(*conditional, u1);
   }
 
-  void judge_conditional_tails(const RoundedConditional& conditional, double u1) {
+  void measure_conditional_tails(const RoundedConditional& conditional, double u1) {
     for (const double u2 : {kTailMass, 1 - kTailMass}) {
       const StretchedSlope s = slope(u1, u2);
       if (!MapRow::carried(s)) continue;
@@ -149,7 +150,7 @@ class Row {
 
 }  // namespace
 
-std::vector<Configuration> map_configurations() {
+std::vector<Configuration> inverse_configurations() {
   std::vector<Configuration> list;
   for (const double theta :
        {0.0,  1e-7, 1e-4, 1e-2, 0.05,  0.1,   0.2,    0.25,    0.3,       0.7,  2.0,  5.0,
@@ -164,13 +165,13 @@ std::vector<Configuration> map_configurations() {
   return list;
 }
 
-std::vector<Finding> measure_quantile_error(const Subject& subject,
-                                            const QuantileOptions& options) {
-  auto list = map_configurations();
-  std::erase_if(list, [&](const Configuration& c) { return !subject.claims.map_at(c); });
+std::vector<CheckResult> check_u_error(const SamplerUnderTest& sampler,
+                                       const UErrorOptions& options) {
+  auto list = inverse_configurations();
+  std::erase_if(list, [&](const Configuration& c) { return !sampler.claims.inverse_at(c); });
   std::vector<MapErrors> rows((list.size() + options.stride - 1) / options.stride);
   support::parallel_for(rows.size(), options.workers, [&](std::size_t i) {
-    rows[i] = Row(subject, list[i * options.stride]).judge(options);
+    rows[i] = Row(sampler, list[i * options.stride]).measure(options);
   });
   MapErrors all;
   for (const MapErrors& row : rows) {
@@ -181,15 +182,15 @@ std::vector<Finding> measure_quantile_error(const Subject& subject,
     all.backward.see(row.backward);
     all.jump.see(row.jump);
   }
-  const Bounds& bounds = subject.bounds;
-  return {all.x.body.finding(kStage, "u-error of slope x", bounds.u_error),
-          all.x.tails.finding(kStage, "u-error of slope x, tails", bounds.u_error),
-          all.y.body.finding(kStage, "u-error of slope y", bounds.u_error),
-          all.y.tails.finding(kStage, "u-error of slope y, tails", bounds.u_error),
-          all.ratio_x.finding(kStage, "tail mass / 2^-20 - 1, slope x", bounds.tail_error),
-          all.ratio_y.finding(kStage, "tail mass / 2^-20 - 1, slope y", bounds.tail_error),
-          all.backward.finding(kStage, "steps back (monotone)", kStep),
-          all.jump.finding(kStage, "jumps (continuous)", kStep)};
+  const Bounds& bounds = sampler.bounds;
+  return {all.x.body.result(kCheck, "u-error of slope x", bounds.u_error),
+          all.x.tails.result(kCheck, "u-error of slope x, tails", bounds.u_error),
+          all.y.body.result(kCheck, "u-error of slope y", bounds.u_error),
+          all.y.tails.result(kCheck, "u-error of slope y, tails", bounds.u_error),
+          all.ratio_x.result(kCheck, "tail mass / 2^-20 - 1, slope x", bounds.tail_error),
+          all.ratio_y.result(kCheck, "tail mass / 2^-20 - 1, slope y", bounds.tail_error),
+          all.backward.result(kCheck, "steps back (monotone)", kStep),
+          all.jump.result(kCheck, "jumps (continuous)", kStep)};
 }
 
 }  // namespace vndf::validate

@@ -1,5 +1,5 @@
-// One incident direction at one roughness: what every judgement is made at. Directions and
-// roughness are whole single-precision numbers, then taken as exact, so that no judgement depends
+// One incident direction at one roughness: what every check is made at. Directions and
+// roughness are whole single-precision numbers, then taken as exact, so that no check depends
 // on how a sampler rounds its inputs.
 #pragma once
 
@@ -13,6 +13,9 @@ namespace vndf::validate {
 
 inline constexpr double kDegree = std::numbers::pi / 180;
 inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+/// Two random numbers in [0, 1], u1 and u2: what a sampler turns into one normal.
+using RandomPair = Vec2<double>;
 
 struct Configuration {
   Vec3<double> wi;
@@ -40,7 +43,7 @@ inline Configuration at_angles(double theta, double phi, double alpha_x, double 
           {to_single(alpha_x), to_single(alpha_y)}};
 }
 
-/// Where a finding is; what does not apply is not a number.
+/// Where a result is; what does not apply is not a number.
 struct Place {
   double theta = kUnknown;  ///< degrees
   double alpha_x = kUnknown, alpha_y = kUnknown;

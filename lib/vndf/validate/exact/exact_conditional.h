@@ -1,4 +1,5 @@
-// The exact law of the slope y given the slope x, of either sign, in units of the mean slope.
+// The exact distribution of the slope y given the slope x, of either sign, in units of the mean
+// slope.
 #pragma once
 
 #include <algorithm>
@@ -9,20 +10,20 @@
 
 namespace vndf::validate {
 
-/// Slopes x that fewer than this lie beyond are left out: their conditionals judge nothing that a
+/// Slopes x that fewer than this lie beyond are left out: their conditionals check nothing that a
 /// sampler returns.
 inline constexpr double kSmallestMass = 1e-7;
 
-class ConditionalLaw {
+class ExactConditional {
  public:
-  /// Whether the conditional at x is worth judging.
-  static bool judged(const precompute::UnitSlopes& slopes, double x) {
+  /// Whether the conditional at x is worth checking.
+  static bool is_checked(const precompute::UnitSlopes& slopes, double x) {
     return std::isfinite(x) && slopes.m(std::asinh(std::abs(x))) > kSmallestMass &&
            precompute::ConditionalSlopes::reachable(slopes, std::abs(x));
   }
 
   /// Some 0.1 ms. `slopes` must outlive this object.
-  ConditionalLaw(const precompute::UnitSlopes& slopes, double x)
+  ExactConditional(const precompute::UnitSlopes& slopes, double x)
       : slopes_(slopes, std::abs(x), precompute::plain_scale(slopes)),
         bounded_(std::isfinite(slopes.support())) {}
 

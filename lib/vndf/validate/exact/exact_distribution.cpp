@@ -1,4 +1,4 @@
-// The exact law of sampled normals.
+// The exact distribution of sampled normals.
 #include "vndf/validate/exact/exact_distribution.h"
 
 #include <algorithm>
@@ -40,12 +40,12 @@ double v_cavity_marginal(const precompute::UnitSlopes& slopes, const BoundedSlop
 
 }  // namespace
 
-SlopeLaw::SlopeLaw(std::unique_ptr<const distributions::SlopeDistribution> distribution)
+ExactSlopes::ExactSlopes(std::unique_ptr<const distributions::SlopeDistribution> distribution)
     : distribution_(std::move(distribution)),
       slopes_(*distribution_, {}),
       all_radii_(slopes_, bounded_cotangent(1.0, 0.0)) {}
 
-double SlopeLaw::d(const Vec3<double>& wm, const Alpha<double>& alpha) const {
+double ExactSlopes::d(const Vec3<double>& wm, const Alpha<double>& alpha) const {
   const double mu = slopes_.mean_slope();
   if (!(wm.z > 0)) return 0;
   const double r = std::hypot(wm.x / alpha.x, wm.y / alpha.y) / (mu * wm.z);
@@ -53,25 +53,25 @@ double SlopeLaw::d(const Vec3<double>& wm, const Alpha<double>& alpha) const {
   return slopes_.p22(r) / (mu * mu * alpha.x * alpha.y * square * square);
 }
 
-double SlopeLaw::visible_area(const Vec3<double>& w, const Alpha<double>& alpha) const {
+double ExactSlopes::visible_area(const Vec3<double>& w, const Alpha<double>& alpha) const {
   const double horizontal = slopes_.mean_slope() * std::hypot(alpha.x * w.x, alpha.y * w.y);
   if (horizontal == 0) return w.z;
   return w.z + horizontal * slopes_.backfacing(w.z / horizontal).value;
 }
 
-double SlopeLaw::lambda(const Vec3<double>& w, const Alpha<double>& alpha) const {
+double ExactSlopes::lambda(const Vec3<double>& w, const Alpha<double>& alpha) const {
   const double horizontal = slopes_.mean_slope() * std::hypot(alpha.x * w.x, alpha.y * w.y);
   if (horizontal == 0) return 0;
   return horizontal * slopes_.backfacing(w.z / horizontal).value / w.z;
 }
 
-double SlopeLaw::g1(const Vec3<double>& w, const Alpha<double>& alpha) const {
+double ExactSlopes::g1(const Vec3<double>& w, const Alpha<double>& alpha) const {
   return w.z / visible_area(w, alpha);
 }
 
-StretchedFrame::StretchedFrame(const SlopeLaw& law, const Configuration& c)
-    : ax_(c.alpha.x * law.slopes().mean_slope()),
-      ay_(c.alpha.y * law.slopes().mean_slope()),
+StretchedFrame::StretchedFrame(const ExactSlopes& exact, const Configuration& c)
+    : ax_(c.alpha.x * exact.unit_slopes().mean_slope()),
+      ay_(c.alpha.y * exact.unit_slopes().mean_slope()),
       cos_(1),
       sin_(0) {
   const double x = ax_ * c.wi.x, y = ay_ * c.wi.y;
@@ -98,36 +98,38 @@ double StretchedFrame::jacobian(const Vec3<double>& wm) const {
   return ax_ * ay_ * wm.z * wm.z * wm.z;
 }
 
-ExactLaw::ExactLaw(const SlopeLaw& law, NormalLaw kind, const Configuration& configuration, Use use)
-    : law_(law),
+ExactDistribution::ExactDistribution(const ExactSlopes& exact, SampledNormals kind,
+                                     const Configuration& configuration, Use use)
+    : exact_(exact),
       kind_(kind),
       configuration_(configuration),
-      frame_(law, configuration),
+      frame_(exact, configuration),
       cosine_(frame_.cotangent().numerator() / frame_.cotangent().hypotenuse()),
       sine_(frame_.cotangent().denominator() / frame_.cotangent().hypotenuse()),
-      area_(kind == NormalLaw::visible_smith
-                ? law.visible_area(configuration.wi, configuration.alpha)
+      area_(kind == SampledNormals::visible_smith
+                ? exact.visible_area(configuration.wi, configuration.alpha)
                 : configuration.wi.z),
-      own_radii_(kind == NormalLaw::visible_smith && use == Use::many
-                     ? std::make_unique<RadialLaw>(law.slopes(), frame_.cotangent())
+      own_radii_(kind == SampledNormals::visible_smith && use == Use::many
+                     ? std::make_unique<RadialDistribution>(exact.unit_slopes(), frame_.cotangent())
                      : nullptr),
-      visible_(law.slopes(), kind == NormalLaw::visible_smith ? frame_.cotangent()
-                                                              : bounded_cotangent(1.0, 0.0)) {}
+      visible_(exact.unit_slopes(), kind == SampledNormals::visible_smith
+                                        ? frame_.cotangent()
+                                        : bounded_cotangent(1.0, 0.0)) {}
 
-Probability<double> ExactLaw::radius_cdf(const StretchedSlope& s) const {
+Probability<double> ExactDistribution::radius_cdf(const StretchedSlope& s) const {
   const double a = std::asinh(s.horizontal() / s.w);
   if (own_radii_) return own_radii_->cdf(a);
-  if (kind_ != NormalLaw::visible_smith) return law_.all_radii().cdf(a);
-  return radial_cdf(law_.slopes(), law_.all_radii(), frame_.cotangent(), a);
+  if (kind_ != SampledNormals::visible_smith) return exact_.all_radii().cdf(a);
+  return radial_cdf(exact_.unit_slopes(), exact_.all_radii(), frame_.cotangent(), a);
 }
 
-double ExactLaw::azimuth_cdf(const StretchedSlope& s) const {
+double ExactDistribution::azimuth_cdf(const StretchedSlope& s) const {
   const double psi = std::atan2(std::abs(s.y), -s.x);
   const double h = s.horizontal();
   double share = psi / kPi;
-  if (kind_ == NormalLaw::visible_v_cavity) {
+  if (kind_ == SampledNormals::visible_v_cavity) {
     share = v_cavity_mass(cosine_, sine_, s, psi) / kPi;
-  } else if (kind_ == NormalLaw::visible_smith) {
+  } else if (kind_ == SampledNormals::visible_smith) {
     const AngularMass mass = angular_mass(cosine_, sine_, h, s.w);
     const double inside = std::min(psi, kPi - mass.phi0);
     if (mass.half > 0) share = (cosine_ * s.w * inside + sine_ * h * std::sin(inside)) / mass.half;
@@ -136,14 +138,14 @@ double ExactLaw::azimuth_cdf(const StretchedSlope& s) const {
   return s.y > 0 ? share / 2 : 1 - share / 2;
 }
 
-double ExactLaw::marginal_cdf(const StretchedSlope& s) const {
+double ExactDistribution::marginal_cdf(const StretchedSlope& s) const {
   const double a = s.x == 0 ? 0 : std::asinh(s.x / s.w);
-  if (kind_ == NormalLaw::visible_v_cavity)
-    return v_cavity_marginal(law_.slopes(), frame_.cotangent(), a);
+  if (kind_ == SampledNormals::visible_v_cavity)
+    return v_cavity_marginal(exact_.unit_slopes(), frame_.cotangent(), a);
   return visible_.cdf(std::min(a, visible_.farthest())).u;
 }
 
-Uniforms ExactLaw::uniforms(const Vec3<double>& wm, double v) const {
+Uniforms ExactDistribution::uniforms(const Vec3<double>& wm, double v) const {
   const StretchedSlope s = frame_.slope_of(wm);
   if (wm.z >= kSmallestHeight) return {radius_cdf(s).u, azimuth_cdf(s), marginal_cdf(s)};
   // The tails of r and, on the side that is seen, of x are powers of the same radius.
@@ -153,20 +155,20 @@ Uniforms ExactLaw::uniforms(const Vec3<double>& wm, double v) const {
   return {1 - tail * v, azimuth_cdf(edge), s.x < 0 ? u * v : 1 - (1 - u) * v};
 }
 
-double ExactLaw::pdf_if_seen(const Vec3<double>& wm, double cosine) const {
-  const double d = law_.d(wm, configuration_.alpha), z = configuration_.wi.z;
-  if (kind_ == NormalLaw::all) return d * wm.z;
+double ExactDistribution::pdf_if_seen(const Vec3<double>& wm, double cosine) const {
+  const double d = exact_.d(wm, configuration_.alpha), z = configuration_.wi.z;
+  if (kind_ == SampledNormals::all) return d * wm.z;
   if (!(cosine > 0)) return 0;
-  if (kind_ == NormalLaw::visible_smith) return d * cosine / area_;
+  if (kind_ == SampledNormals::visible_smith) return d * cosine / area_;
   // At the horizon every facet that is seen is masked by its twin.
   return d * (z > 0 ? std::min(cosine / z, 2 * wm.z) : 2 * wm.z);
 }
 
-double ExactLaw::facing_pdf(const Vec3<double>& wm) const {
+double ExactDistribution::facing_pdf(const Vec3<double>& wm) const {
   return pdf_if_seen(wm, 1);
 }
 
-double ExactLaw::pdf(const Vec3<double>& wm) const {
+double ExactDistribution::pdf(const Vec3<double>& wm) const {
   return pdf_if_seen(wm, dot(configuration_.wi, wm));
 }
 

@@ -1,5 +1,5 @@
-// The exact law of sampled normals, as a transform to independent uniform numbers (Rosenblatt 1952)
-// in polar coordinates of the stretched slopes:
+// The exact distribution of sampled normals, as a transform to independent uniform numbers
+// (Rosenblatt 1952) in polar coordinates of the stretched slopes:
 //
 //   w_r    the CDF of the radius r; 0 at the pole of the stretched hemisphere, 1 at its horizon
 //   w_phi  the CDF of the azimuth given r, closed: with psi = pi - |phi|,
@@ -7,8 +7,8 @@
 //          1 minus that on the other; the edge of visibility is in the middle
 //
 // Equal cells of the unit square are cells of equal probability on the hemisphere. Any sampler of
-// the law must fill them evenly, whatever its map from random numbers. The table builder's own
-// variable, w_x, the CDF of the Cartesian slope x, is judged beside them.
+// the distribution must fill them evenly, whatever its map from random numbers. The table builder's
+// own variable, w_x, the CDF of the Cartesian slope x, is checked beside them.
 #pragma once
 
 #include <memory>
@@ -21,21 +21,21 @@
 namespace vndf::validate {
 
 /// Which normals a sampler claims to draw.
-enum class NormalLaw {
+enum class SampledNormals {
   visible_smith,     ///< D_wi of Smith's surface (Heitz and d'Eon 2014, equation 2)
   visible_v_cavity,  ///< D_wi of V-cavities: weight min(dot(wi, wm)+, 2 wi.z wm.z) / wi.z
   all                ///< D(wm) wm.z, whatever wi (Algorithm 1)
 };
 
-/// A slope distribution with everything that its laws at all configurations share.
-class SlopeLaw {
+/// A slope distribution with everything that its distributions at all configurations share.
+class ExactSlopes {
  public:
   /// Integrates `distribution` (some 0.1 s). Throws std::domain_error as UnitSlopes does.
-  explicit SlopeLaw(std::unique_ptr<const distributions::SlopeDistribution> distribution);
+  explicit ExactSlopes(std::unique_ptr<const distributions::SlopeDistribution> distribution);
 
-  const precompute::UnitSlopes& slopes() const { return slopes_; }
-  /// The law of the radius of all slopes.
-  const RadialLaw& all_radii() const { return all_radii_; }
+  const precompute::UnitSlopes& unit_slopes() const { return slopes_; }
+  /// The distribution of the radius of all slopes.
+  const RadialDistribution& all_radii() const { return all_radii_; }
 
   /// D(wm), Smith's Lambda(w) and G1(w), straight from their definitions.
   double d(const Vec3<double>& wm, const Alpha<double>& alpha) const;
@@ -47,7 +47,7 @@ class SlopeLaw {
  private:
   std::unique_ptr<const distributions::SlopeDistribution> distribution_;
   precompute::UnitSlopes slopes_;
-  RadialLaw all_radii_;
+  RadialDistribution all_radii_;
 };
 
 /// A normal as a slope (x / w, y / w) in the frame of the stretched incident direction, in units of
@@ -60,7 +60,7 @@ struct StretchedSlope {
 /// The frame of the stretched incident direction.
 class StretchedFrame {
  public:
-  StretchedFrame(const SlopeLaw& law, const Configuration& configuration);
+  StretchedFrame(const ExactSlopes& exact, const Configuration& configuration);
 
   /// Cotangent of the stretched incident direction.
   const BoundedSlope<double>& cotangent() const { return cotangent_; }
@@ -84,24 +84,25 @@ struct Uniforms {
 /// where beyond it a slope lies cannot be carried. The twofold of the smallest normal number.
 inline constexpr double kSmallestHeight = 2 * 0x1p-126;
 
-/// For how many normals of one configuration a law is made.
+/// For how many normals of one configuration a distribution is made.
 enum class Use {
-  many,  ///< the law of the radius is tabulated first, some milliseconds
+  many,  ///< the exact of the radius is tabulated first, some milliseconds
   few    ///< each radius is an integral of its own, some 10 microseconds
 };
 
-class ExactLaw {
+class ExactDistribution {
  public:
-  /// `law` must outlive this object.
-  ExactLaw(const SlopeLaw& law, NormalLaw kind, const Configuration& configuration,
-           Use use = Use::many);
+  /// `distribution` must outlive this object.
+  ExactDistribution(const ExactSlopes& exact, SampledNormals kind,
+                    const Configuration& configuration, Use use = Use::many);
 
   const StretchedFrame& frame() const { return frame_; }
 
   /// The transform of a unit normal, wm.z >= 0. A normal lower than kSmallestHeight is known to lie
-  /// beyond a slope and no more: `v`, a uniform random number, places it in the mass that the law
-  /// has there, so that this mass is judged and nothing is hidden (the randomised transform for
-  /// laws with atoms). Maximum error kRadialError, and the rounding of the normal.
+  /// beyond a slope and no more: `v`, a uniform random number, places it in the mass that the
+  /// distribution has there, so that this mass is checked and nothing is hidden (the randomised
+  /// transform for distributions with atoms). Maximum error kRadialError, and the rounding of the
+  /// normal.
   Uniforms uniforms(const Vec3<double>& wm, double v) const;
 
   /// Density per solid angle.
@@ -117,12 +118,12 @@ class ExactLaw {
   /// Density of `wm` were it seen under `cosine`.
   double pdf_if_seen(const Vec3<double>& wm, double cosine) const;
 
-  const SlopeLaw& law_;
-  NormalLaw kind_;
+  const ExactSlopes& exact_;
+  SampledNormals kind_;
   Configuration configuration_;
   StretchedFrame frame_;
   double cosine_, sine_, area_;
-  std::unique_ptr<const RadialLaw> own_radii_;
+  std::unique_ptr<const RadialDistribution> own_radii_;
   precompute::VisibleSlopes visible_;
 };
 

@@ -39,24 +39,24 @@ Rule rule() {
 }
 
 /// The larger density of the two normals along the axes whose stretched slope is sinh(a).
-double steepest_density(const SlopeLaw& law, const Configuration& c, double a) {
-  const double r = std::sinh(a) * law.slopes().mean_slope();
+double steepest_density(const ExactSlopes& exact, const Configuration& c, double a) {
+  const double r = std::sinh(a) * exact.unit_slopes().mean_slope();
   const auto d = [&](double x, double y) {
     const double length = std::hypot(x, y, 1);
-    return law.d({x / length, y / length, 1 / length}, c.alpha);
+    return exact.d({x / length, y / length, 1 / length}, c.alpha);
   };
-  return std::max(d(r * c.alpha.x, 0), d(0, r * c.alpha.y)) / law.visible_area(c.wi, c.alpha);
+  return std::max(d(r * c.alpha.x, 0), d(0, r * c.alpha.y)) / exact.visible_area(c.wi, c.alpha);
 }
 
 /// asinh of the largest radius: all but kUncovered of the mass, or what single precision carries.
-double farthest(const SlopeLaw& law, const RadialLaw& radii, const Configuration& c) {
+double farthest(const ExactSlopes& exact, const RadialDistribution& radii, const Configuration& c) {
   constexpr double kMargin = 16;
-  const double mu = law.slopes().mean_slope();
+  const double mu = exact.unit_slopes().mean_slope();
   const double carried = 1 / (kMargin * kSmallestHeight * std::max(c.alpha.x, c.alpha.y) * mu);
   double low = 0;
-  double high = std::asinh(std::min({carried, kLargestSlope, law.slopes().support()}));
-  if (std::isfinite(law.slopes().support())) return high;
-  while (!(steepest_density(law, c, high) < kLargestDensity)) high -= 1;
+  double high = std::asinh(std::min({carried, kLargestSlope, exact.unit_slopes().support()}));
+  if (std::isfinite(exact.unit_slopes().support())) return high;
+  while (!(steepest_density(exact, c, high) < kLargestDensity)) high -= 1;
   if (radii.cdf(high).complement > kUncovered) return high;
   for (int k = 0; k < 60; ++k) {
     const double middle = (low + high) / 2;
@@ -65,10 +65,10 @@ double farthest(const SlopeLaw& law, const RadialLaw& radii, const Configuration
   return high;
 }
 
-std::vector<double> segment_ends(const SlopeLaw& law, double cotangent, double end) {
+std::vector<double> segment_ends(const ExactSlopes& exact, double cotangent, double end) {
   std::vector<double> ends{0, cotangent, end};
-  for (const double r : law.slopes().distribution().breaks())
-    ends.push_back(std::asinh(r / law.slopes().mean_slope()));
+  for (const double r : exact.unit_slopes().distribution().breaks())
+    ends.push_back(std::asinh(r / exact.unit_slopes().mean_slope()));
   std::erase_if(ends, [&](double a) { return a > end; });
   std::sort(ends.begin(), ends.end());
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
@@ -77,9 +77,9 @@ std::vector<double> segment_ends(const SlopeLaw& law, double cotangent, double e
 
 class Nodes {
  public:
-  Nodes(const SlopeLaw& law, NormalLaw kind, const Configuration& c)
+  Nodes(const ExactSlopes& exact, SampledNormals kind, const Configuration& c)
       : kind_(kind),
-        frame_(law, c),
+        frame_(exact, c),
         cosine_(frame_.cotangent().numerator() / frame_.cotangent().hypotenuse()),
         sine_(frame_.cotangent().denominator() / frame_.cotangent().hypotenuse()) {}
 
@@ -106,8 +106,8 @@ class Nodes {
   void add_ring(double a, double weight) {
     const double r = std::sinh(a);
     double seen = kPi;
-    if (kind_ != NormalLaw::all) seen -= angular_mass(cosine_, sine_, r, 1).phi0;
-    if (kind_ == NormalLaw::visible_v_cavity && seen < kPi) {
+    if (kind_ != SampledNormals::all) seen -= angular_mass(cosine_, sine_, r, 1).phi0;
+    if (kind_ == SampledNormals::visible_v_cavity && seen < kPi) {
       add_arc(r, weight * r * std::cosh(a), 0, kPi - seen);
       add_arc(r, weight * r * std::cosh(a), kPi - seen, seen);
     } else {
@@ -127,7 +127,7 @@ class Nodes {
     }
   }
 
-  NormalLaw kind_;
+  SampledNormals kind_;
   StretchedFrame frame_;
   double cosine_, sine_;
   NormalQuadrature result_;
@@ -135,13 +135,15 @@ class Nodes {
 
 }  // namespace
 
-NormalQuadrature normal_quadrature(const SlopeLaw& law, NormalLaw kind, const Configuration& c) {
-  const StretchedFrame frame(law, c);
-  const bool smith = kind == NormalLaw::visible_smith;
-  const RadialLaw own(law.slopes(), smith ? frame.cotangent() : bounded_cotangent(1.0, 0.0));
-  const double end = farthest(law, own, c);
+NormalQuadrature normal_quadrature(const ExactSlopes& exact, SampledNormals kind,
+                                   const Configuration& c) {
+  const StretchedFrame frame(exact, c);
+  const bool smith = kind == SampledNormals::visible_smith;
+  const RadialDistribution own(exact.unit_slopes(),
+                               smith ? frame.cotangent() : bounded_cotangent(1.0, 0.0));
+  const double end = farthest(exact, own, c);
   const double cotangent = std::log(frame.cotangent().sigma / frame.cotangent().complement);
-  auto result = Nodes(law, kind, c).fill(segment_ends(law, cotangent, end));
+  auto result = Nodes(exact, kind, c).fill(segment_ends(exact, cotangent, end));
   result.covered = own.cdf(end).u;
   return result;
 }

@@ -15,13 +15,13 @@ inline constexpr double kQuadratureError = 1e-6;
 struct NormalQuadrature {
   std::vector<Vec3<double>> wm;
   std::vector<double> weight;  ///< solid angle
-  /// Mass that the law has in the part of the hemisphere that the nodes cover: a heavy tail is cut
-  /// where single-precision normals cannot carry it.
+  /// Mass that the distribution has in the part of the hemisphere that the nodes cover: a heavy
+  /// tail is cut where single-precision normals cannot carry it.
   double covered = 1;
 };
 
 /// Nodes for the densities of `kind` at `configuration`: those that are seen from wi, or all.
-NormalQuadrature normal_quadrature(const SlopeLaw& law, NormalLaw kind,
+NormalQuadrature normal_quadrature(const ExactSlopes& exact, SampledNormals kind,
                                    const Configuration& configuration);
 
 }  // namespace vndf::validate

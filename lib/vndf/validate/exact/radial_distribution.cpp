@@ -1,4 +1,4 @@
-// The law of the radius of a visible slope.
+// The distribution of the radius of a visible slope.
 #include "vndf/validate/exact/radial_distribution.h"
 
 #include <algorithm>
@@ -67,7 +67,7 @@ AngularMass angular_mass(double cosine, double sine, double h, double w) {
   return {phi0, vertical * (std::numbers::pi - phi0) + reach};
 }
 
-RadialLaw::RadialLaw(const UnitSlopes& slopes, const BoundedSlope<double>& c)
+RadialDistribution::RadialDistribution(const UnitSlopes& slopes, const BoundedSlope<double>& c)
     : slopes_(&slopes),
       cosine_(c.numerator() / c.hypotenuse()),
       sine_(c.denominator() / c.hypotenuse()) {
@@ -80,11 +80,11 @@ RadialLaw::RadialLaw(const UnitSlopes& slopes, const BoundedSlope<double>& c)
   sum_up();
 }
 
-double RadialLaw::density(double a) const {
+double RadialDistribution::density(double a) const {
   return visible_density(*slopes_, cosine_, sine_, a);
 }
 
-void RadialLaw::fill(Segment& segment) const {
+void RadialDistribution::fill(Segment& segment) const {
   const double width = segment.end - segment.begin;
   const auto per_t = [&](double t) {
     const double a = segment.begin + width * graded_inverse(t, kGrading);
@@ -101,7 +101,7 @@ void RadialLaw::fill(Segment& segment) const {
   }
 }
 
-double RadialLaw::mass_beyond(double a) const {
+double RadialDistribution::mass_beyond(double a) const {
   if (std::isfinite(slopes_->support())) return 0;
   constexpr double kBack = 0.01;
   const double here = density(a), before = density(a - kBack);
@@ -109,7 +109,7 @@ double RadialLaw::mass_beyond(double a) const {
   return here / (std::log(before / here) / kBack);  // a power tail falls like exp(-kappa a)
 }
 
-void RadialLaw::sum_up() {
+void RadialDistribution::sum_up() {
   // Both sums are of positive terms, so neither tail is a difference.
   double tail = beyond_;
   for (auto s = segments_.rbegin(); s != segments_.rend(); ++s)
@@ -127,7 +127,7 @@ void RadialLaw::sum_up() {
     }
 }
 
-Probability<double> RadialLaw::cdf(double a) const {
+Probability<double> RadialDistribution::cdf(double a) const {
   const Segment& last = segments_.back();
   if (a >= last.end) {
     if (beyond_ == 0) return {1, 0};
@@ -153,7 +153,7 @@ Probability<double> RadialLaw::cdf(double a) const {
   return {1 - tail, tail};
 }
 
-Probability<double> radial_cdf(const UnitSlopes& slopes, const RadialLaw& all,
+Probability<double> radial_cdf(const UnitSlopes& slopes, const RadialDistribution& all,
                                const BoundedSlope<double>& c, double a) {
   const double cosine = c.numerator() / c.hypotenuse(), sine = c.denominator() / c.hypotenuse();
   const double cotangent = asinh_of(c);

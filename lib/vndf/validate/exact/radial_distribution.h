@@ -1,11 +1,11 @@
-// The law of the radius r of a visible slope, seen from cotangent c, in units of the mean slope.
-// In polar slopes (r, phi) the visible density of Heitz and d'Eon 2014, equation 10, is
+// The distribution of the radius r of a visible slope, seen from cotangent c, in units of the mean
+// slope. In polar slopes (r, phi) the visible density of Heitz and d'Eon 2014, equation 10, is
 // p22(r) r (cos t - r sin t cos phi)+ / N; its integral over phi is closed,
 //
 //   A(r) = 2 [cos t (pi - phi0) + r sin t sin phi0],  phi0 = acos(min(1, c / r))
 //
 // so that the radius has the density p22(r) r A(r) / N, one integral away from its CDF. The table
-// builder works in Cartesian slopes and never forms this integral: it is the judge's own.
+// builder works in Cartesian slopes and never forms this integral: it is the validator's own.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@
 
 namespace vndf::validate {
 
-/// Largest error of RadialLaw::cdf, and the largest relative one in either tail down to
+/// Largest error of RadialDistribution::cdf, and the largest relative one in either tail down to
 /// kRadialSmallestTail: both far below what a count of samples can see.
 inline constexpr double kRadialError = 1e-8;
 inline constexpr double kRadialTailError = 1e-4;
@@ -31,11 +31,11 @@ struct AngularMass {
 /// horizon.
 AngularMass angular_mass(double cosine, double sine, double h, double w);
 
-class RadialLaw {
+class RadialDistribution {
  public:
   /// Seen from cotangent `c` >= 0, infinite and 0 included. Sums p22 over graded panels, some
   /// milliseconds.
-  RadialLaw(const precompute::UnitSlopes& slopes, const BoundedSlope<double>& c);
+  RadialDistribution(const precompute::UnitSlopes& slopes, const BoundedSlope<double>& c);
 
   /// P(R <= sinh(a)) with its complement, a >= 0, infinite included.
   Probability<double> cdf(double a) const;
@@ -65,9 +65,9 @@ class RadialLaw {
   std::vector<Segment> segments_;
 };
 
-/// The same CDF at one place, without tables: some microseconds. `all` is the law at normal
-/// incidence of the same slopes.
-Probability<double> radial_cdf(const precompute::UnitSlopes& slopes, const RadialLaw& all,
+/// The same CDF at one place, without tables: some microseconds. `all` is the distribution at
+/// normal incidence of the same slopes.
+Probability<double> radial_cdf(const precompute::UnitSlopes& slopes, const RadialDistribution& all,
                                const BoundedSlope<double>& c, double a);
 
 }  // namespace vndf::validate

@@ -15,26 +15,26 @@ Vec3<double> direction(double degrees) {
 }
 
 /// Radius beyond which kBeyond of the slopes lie.
-double farthest_radius(const SlopeLaw& law) {
-  const auto& slopes = law.slopes();
+double farthest_radius(const ExactSlopes& exact) {
+  const auto& slopes = exact.unit_slopes();
   if (std::isfinite(slopes.support())) return slopes.support() * slopes.mean_slope();
   double low = 0, high = std::asinh(1e12);  // units of the mean slope
   for (int k = 0; k < 60; ++k) {
     const double middle = (low + high) / 2;
-    (law.all_radii().cdf(middle).complement > kBeyond ? low : high) = middle;
+    (exact.all_radii().cdf(middle).complement > kBeyond ? low : high) = middle;
   }
   return std::sinh(high) * slopes.mean_slope();
 }
 
-double d_of(const Subject& subject, double alpha, const Vec3<double>& wm) {
+double d_of(const SamplerUnderTest& sampler, double alpha, const Vec3<double>& wm) {
   double d = 0;
-  subject.d({alpha, alpha}, {&wm, 1}, {&d, 1});
+  sampler.d({alpha, alpha}, {&wm, 1}, {&d, 1});
   return d;
 }
 
-Curve p22_curve(const Subject& subject, std::size_t places) {
-  const SlopeLaw& law = *subject.law;
-  const double mu = law.slopes().mean_slope(), low = mu / 100, high = farthest_radius(law);
+Curve p22_curve(const SamplerUnderTest& sampler, std::size_t places) {
+  const ExactSlopes& exact = *sampler.exact;
+  const double mu = exact.unit_slopes().mean_slope(), low = mu / 100, high = farthest_radius(exact);
   Curve curve{.alpha = 1};
   for (std::size_t k = 0; k < places; ++k) {
     const double r =
@@ -44,8 +44,8 @@ Curve p22_curve(const Subject& subject, std::size_t places) {
     const Vec3<double> wm{to_single(-r / length), 0, to_single(1 / length)};
     const double z2 = wm.z * wm.z, at = -wm.x / wm.z;
     curve.at.push_back(at);
-    curve.exact.push_back(law.slopes().p22(at / mu) / (mu * mu));
-    curve.subject.push_back(d_of(subject, 1, wm) * z2 * z2);
+    curve.exact.push_back(exact.unit_slopes().p22(at / mu) / (mu * mu));
+    curve.sampler.push_back(d_of(sampler, 1, wm) * z2 * z2);
   }
   return curve;
 }
@@ -60,28 +60,28 @@ Curve angle_curve(double alpha, double first, std::size_t places, Exact exact, O
     const Vec3<double> w = direction(theta);
     curve.at.push_back(theta);
     curve.exact.push_back(exact(w));
-    curve.subject.push_back(own(w));
+    curve.sampler.push_back(own(w));
   }
   return curve;
 }
 
 }  // namespace
 
-DistributionCurves distribution_curves(const Subject& subject,
+DistributionCurves distribution_curves(const SamplerUnderTest& sampler,
                                        const std::vector<double>& roughnesses, std::size_t places) {
-  const SlopeLaw& law = *subject.law;
-  DistributionCurves curves{p22_curve(subject, places), {}, {}};
+  const ExactSlopes& exact = *sampler.exact;
+  DistributionCurves curves{p22_curve(sampler, places), {}, {}};
   for (const double a : roughnesses) {
     const double single = to_single(a);
     const Alpha<double> alpha{single, single};
     curves.lambda.push_back(angle_curve(
-        a, 90 - kSteepest, places, [&](const auto& w) { return law.lambda(w, alpha); },
+        a, 90 - kSteepest, places, [&](const auto& w) { return exact.lambda(w, alpha); },
         [&](const auto& w) {
-          return subject.lambda({w, alpha});
+          return sampler.lambda({w, alpha});
         }));
     curves.d.push_back(angle_curve(
-        a, 0, places, [&](const auto& w) { return law.d(w, alpha); },
-        [&](const auto& w) { return d_of(subject, single, w); }));
+        a, 0, places, [&](const auto& w) { return exact.d(w, alpha); },
+        [&](const auto& w) { return d_of(sampler, single, w); }));
   }
   return curves;
 }

@@ -1,4 +1,4 @@
-// The functions of a distribution as curves, exact beside the subject's own: p22, Lambda and D.
+// The functions of a distribution as curves, exact beside the sampler's own: p22, Lambda and D.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@ namespace vndf::validate {
 
 struct Curve {
   double alpha;  ///< along x and y
-  std::vector<double> at = {}, exact = {}, subject = {};
+  std::vector<double> at = {}, exact = {}, sampler = {};
 };
 
 struct DistributionCurves {
@@ -20,7 +20,7 @@ struct DistributionCurves {
   std::vector<Curve> d;       ///< over the angle of wm in degrees, 0 to 89.5, likewise
 };
 
-DistributionCurves distribution_curves(const Subject& subject,
+DistributionCurves distribution_curves(const SamplerUnderTest& sampler,
                                        const std::vector<double>& roughnesses, std::size_t places);
 
 }  // namespace vndf::validate

@@ -1,5 +1,5 @@
 // Weights of sampled reflections over the unit square of random numbers (Heitz and d'Eon 2014,
-// Figure 4 and Table 2), for facets that reflect everything: f |wo.z| / pdf(wo), by the subject and
+// Figure 4 and Table 2), for facets that reflect everything: f |wo.z| / pdf(wo), by the sampler and
 // by the previous method.
 //
 //   visible normals (Algorithm 2)   G2 / G1(wi)
@@ -20,13 +20,13 @@ struct SampleWeights {
   double lost = 0;  ///< part of the samples that have weight 0
 };
 
-/// Weights of the normals that the subject draws. Valid: wi.z > 0.
-SampleWeights sample_weights(const Subject& subject, const Configuration& configuration,
+/// Weights of the normals that the sampler draws. Valid: wi.z > 0.
+SampleWeights sample_weights(const SamplerUnderTest& sampler, const Configuration& configuration,
                              std::size_t cells);
 
-/// Weights of Algorithm 1 on the same surface: all normals, drawn by the subject at normal
+/// Weights of Algorithm 1 on the same surface: all normals, drawn by the sampler at normal
 /// incidence, where all are visible.
-SampleWeights previous_weights(const Subject& subject, const Configuration& configuration,
+SampleWeights previous_weights(const SamplerUnderTest& sampler, const Configuration& configuration,
                                std::size_t cells);
 
 }  // namespace vndf::validate

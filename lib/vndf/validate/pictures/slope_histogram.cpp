@@ -1,4 +1,4 @@
-// The law of sampled slopes as a picture.
+// The distribution of sampled slopes as a picture.
 #include "vndf/validate/pictures/slope_histogram.h"
 
 #include <algorithm>
@@ -28,11 +28,11 @@ struct Square {
 /// a pole is divided into four, and these again, kDivisions times.
 class SlopeMass {
  public:
-  SlopeMass(const Subject& subject, const Configuration& c)
-      : law_(*subject.law, subject.claims.law, c, Use::few),
+  SlopeMass(const SamplerUnderTest& sampler, const Configuration& c)
+      : distribution_(*sampler.exact, sampler.claims.normals, c, Use::few),
         c_(c),
-        kind_(subject.claims.law),
-        breaks_(subject.law->slopes().distribution().breaks()) {}
+        kind_(sampler.claims.normals),
+        breaks_(sampler.exact->unit_slopes().distribution().breaks()) {}
 
   double of(const Square& square, int divisions = kDivisions) const {
     if (divisions == 0 || is_smooth(square)) return integral(square);
@@ -50,7 +50,7 @@ class SlopeMass {
   double density(double x, double y) const {
     const double length = std::hypot(x, y, 1);
     const Vec3<double> wm{-x / length, -y / length, 1 / length};
-    return law_.pdf(wm) * wm.z * wm.z * wm.z;
+    return distribution_.pdf(wm) * wm.z * wm.z * wm.z;
   }
   double integral(const Square& s) const {
     using Gauss = boost::math::quadrature::gauss<double, kPoints>;
@@ -70,7 +70,7 @@ class SlopeMass {
     if (to > 2 * from) return false;  // near the pole p22 may be of any scale
     for (const double r : breaks_)
       if (from < r && r < to) return false;
-    return kind_ == NormalLaw::all || !on_the_edge(s);
+    return kind_ == SampledNormals::all || !on_the_edge(s);
   }
   /// Whether the edge of visibility passes through the square.
   bool on_the_edge(const Square& s) const {
@@ -81,9 +81,9 @@ class SlopeMass {
     return low < 0 && high > 0;
   }
 
-  ExactLaw law_;
+  ExactDistribution distribution_;
   Configuration c_;
-  NormalLaw kind_;
+  SampledNormals kind_;
   std::vector<double> breaks_;
 };
 
@@ -111,26 +111,26 @@ class Counts {
   std::vector<std::uint64_t> counts_;
 };
 
-void count_block(const Subject& subject, const Configuration& c, BlockRandom random,
+void count_block(const SamplerUnderTest& sampler, const Configuration& c, BlockRandom random,
                  std::uint64_t samples, Counts& counts) {
-  std::vector<Pair> u(samples);
+  std::vector<RandomPair> u(samples);
   std::vector<Vec3<double>> wm(samples);
-  for (Pair& pair : u) {
+  for (RandomPair& pair : u) {
     pair.x = random.single();
     pair.y = random.single();
   }
-  subject.sample(c, u, wm);
+  sampler.sample(c, u, wm);
   for (const Vec3<double>& m : wm) counts.add(slope_of(m));
 }
 
-Counts count(const Subject& subject, const Configuration& c, double half_width,
+Counts count(const SamplerUnderTest& sampler, const Configuration& c, double half_width,
              const HistogramOptions& options) {
   Counts all(options.cells, half_width);
   std::mutex mutex;  // guards `all`
   const std::uint64_t blocks = (options.samples + kBlock - 1) / kBlock;
   support::parallel_for(blocks, options.workers, [&](std::size_t block) {
     Counts counts(options.cells, half_width);
-    count_block(subject, c, BlockRandom(options.seed, options.stream, block),
+    count_block(sampler, c, BlockRandom(options.seed, options.stream, block),
                 std::min(kBlock, options.samples - block * kBlock), counts);
     const std::lock_guard lock(mutex);
     all.add(counts);
@@ -140,23 +140,23 @@ Counts count(const Subject& subject, const Configuration& c, double half_width,
 
 }  // namespace
 
-double shown_slopes(const SlopeLaw& law, const Alpha<double>& alpha) {
-  const auto& slopes = law.slopes();
+double shown_slopes(const ExactSlopes& exact, const Alpha<double>& alpha) {
+  const auto& slopes = exact.unit_slopes();
   double r = slopes.support();
   if (std::isinf(r)) {
     double low = 0, high = std::asinh(1e6);  // units of the mean slope
     for (int k = 0; k < 60; ++k) {
       const double middle = (low + high) / 2;
-      (law.all_radii().cdf(middle).u < kShown ? low : high) = middle;
+      (exact.all_radii().cdf(middle).u < kShown ? low : high) = middle;
     }
     r = std::sinh(high);
   }
   return kMargin * r * slopes.mean_slope() * std::max(alpha.x, alpha.y);
 }
 
-Grid exact_slope_density(const Subject& subject, const Configuration& c, double half_width,
+Grid exact_slope_density(const SamplerUnderTest& sampler, const Configuration& c, double half_width,
                          std::size_t cells) {
-  const SlopeMass mass(subject, c);
+  const SlopeMass mass(sampler, c);
   const double side = 2 * half_width / static_cast<double>(cells);
   Grid exact(cells, cells);
   for (std::size_t j = 0; j < cells; ++j)
@@ -170,7 +170,7 @@ Grid exact_slope_density(const Subject& subject, const Configuration& c, double 
 double poisson_deviate(std::uint64_t count, double expected) {
   if (!(expected > 0)) return count == 0 ? 0 : kLargestDeviation;
   const double k = static_cast<double>(count);
-  // P(N < k) and P(N > k) of Poisson's law; what is left is P(N = k).
+  // P(N < k) and P(N > k) of Poisson's distribution; what is left is P(N = k).
   const double less = count == 0 ? 0 : boost::math::gamma_q(k, expected);
   const double more = boost::math::gamma_p(k + 1, expected);
   const double lower = less + (1 - less - more) / 2, upper = more + (1 - less - more) / 2;
@@ -180,12 +180,12 @@ double poisson_deviate(std::uint64_t count, double expected) {
   return std::min(deviate, kLargestDeviation) * (lower < upper ? -1 : 1);
 }
 
-SlopeHistogram slope_histogram(const Subject& subject, const Configuration& c, double half_width,
-                               const HistogramOptions& options) {
+SlopeHistogram slope_histogram(const SamplerUnderTest& sampler, const Configuration& c,
+                               double half_width, const HistogramOptions& options) {
   SlopeHistogram h{.configuration = c, .half_width = half_width, .samples = options.samples};
-  h.exact = exact_slope_density(subject, c, half_width, options.cells);
+  h.exact = exact_slope_density(sampler, c, half_width, options.cells);
   h.sampled = h.deviation = Grid(options.cells, options.cells);
-  const Counts counts = count(subject, c, half_width, options);
+  const Counts counts = count(sampler, c, half_width, options);
   const double side = 2 * half_width / static_cast<double>(options.cells), area = side * side;
   const double samples = static_cast<double>(options.samples);
   double squares = 0;
@@ -196,9 +196,9 @@ SlopeHistogram slope_histogram(const Subject& subject, const Configuration& c, d
     const double deviation = h.deviation.values[k] = poisson_deviate(counts[k], expected);
     if (expected < kFewestInCell) continue;
     squares += deviation * deviation;
-    ++h.judged;
+    ++h.compared;
   }
-  if (h.judged > 0) h.mean_square = squares / static_cast<double>(h.judged);
+  if (h.compared > 0) h.mean_square = squares / static_cast<double>(h.compared);
   return h;
 }
 

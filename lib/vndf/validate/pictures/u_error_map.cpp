@@ -26,13 +26,13 @@ std::vector<double> logit_places(std::size_t count) {
   return list;
 }
 
-UErrorMap marginal_error_map(const Subject& subject, std::size_t rows, std::size_t columns,
+UErrorMap marginal_error_map(const SamplerUnderTest& sampler, std::size_t rows, std::size_t columns,
                              const support::Workers& workers) {
   UErrorMap map{even_places(0, 90, rows), logit_places(columns), Grid(columns, rows, kUnknown)};
   support::parallel_for(rows, workers, [&](std::size_t j) {
     const Configuration c = at_angles(map.row[j], 0, 1, 1);
-    if (!subject.claims.map_at(c)) return;
-    const MapRow row(subject, c);
+    if (!sampler.claims.inverse_at(c)) return;
+    const MapRow row(sampler, c);
     for (std::size_t i = 0; i < columns; ++i) {
       const StretchedSlope s = row.slope(map.u[i], 0.5);
       if (MapRow::carried(s))
@@ -43,12 +43,12 @@ UErrorMap marginal_error_map(const Subject& subject, std::size_t rows, std::size
   return map;
 }
 
-UErrorMap conditional_error_map(const Subject& subject, double theta, std::size_t rows,
+UErrorMap conditional_error_map(const SamplerUnderTest& sampler, double theta, std::size_t rows,
                                 std::size_t columns, const support::Workers& workers) {
   UErrorMap map{logit_places(rows), logit_places(columns), Grid(columns, rows, kUnknown)};
   const Configuration c = at_angles(theta, 0, 1, 1);
-  if (!subject.claims.map_at(c)) return map;
-  const MapRow row(subject, c);
+  if (!sampler.claims.inverse_at(c)) return map;
+  const MapRow row(sampler, c);
   support::parallel_for(rows, workers, [&](std::size_t j) {
     const auto conditional = row.conditional(map.row[j]);
     if (!conditional) return;

@@ -1,5 +1,5 @@
 // The u-error of a map as a picture: |CDF(x(u)) - u| of the slope x over incidence and u1, and of
-// the slope y over the slope x and u2. Only for subjects that claim to be the monotone inverse.
+// the slope y over the slope x and u2. Only for samplers that claim to be the monotone inverse.
 #pragma once
 
 #include <vector>
@@ -16,7 +16,7 @@ inline constexpr double kSmallestShownU = 1e-7;
 struct UErrorMap {
   std::vector<double> row;  ///< theta in degrees; or u1, at which the slope x is sampled
   std::vector<double> u;    ///< u1; or u2
-  /// Not a number where the subject claims no map or the slope cannot be judged.
+  /// Not a number where the sampler claims no map or the slope cannot be checked.
   Grid error;
 };
 
@@ -25,12 +25,12 @@ struct UErrorMap {
 std::vector<double> logit_places(std::size_t count);
 
 /// Slope x at roughness 1, `rows` incidences from 0 to 90 degrees, u2 = 1/2.
-UErrorMap marginal_error_map(const Subject& subject, std::size_t rows, std::size_t columns,
+UErrorMap marginal_error_map(const SamplerUnderTest& sampler, std::size_t rows, std::size_t columns,
                              const support::Workers& workers);
 
 /// Slope y at roughness 1 seen from `theta`, given the slope x that is sampled at `rows` places of
-/// u1. Its law does not depend on theta, which only says which slopes x are in sight.
-UErrorMap conditional_error_map(const Subject& subject, double theta, std::size_t rows,
+/// u1. Its distribution does not depend on theta, which only says which slopes x are in sight.
+UErrorMap conditional_error_map(const SamplerUnderTest& sampler, double theta, std::size_t rows,
                                 std::size_t columns, const support::Workers& workers);
 
 }  // namespace vndf::validate

@@ -1,6 +1,6 @@
 // The surface of one roughness, stretched: for samplers of all normals whose own alpha does more
-// than stretch (Blinn-Phong, generalised Trowbridge-Reitz), so that they too can be judged by the
-// exact laws of slopes, which are those of one shape (Heitz and d'Eon 2014, section 2).
+// than stretch (Blinn-Phong, generalised Trowbridge-Reitz), so that they too can be checked by the
+// exact distributions of slopes, which are those of one shape (Heitz and d'Eon 2014, section 2).
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// The reference samplers that can be judged by name.
+// The reference samplers that can be checked by name.
 #include "vndf/validate/sampler/named_samplers.h"
 
 #include <algorithm>
@@ -31,26 +31,26 @@ constexpr double kFrozenAlpha = 0.5;
 
 /// An entry of the list: `in_single` and `in_double`, one sampler in both precisions.
 template <NormalSampler<float> S, NormalSampler<double> D>
-NamedSubject entry(std::string name, const std::string& distribution, const Claims& claims,
+NamedSampler entry(std::string name, const std::string& distribution, const Claims& claims,
                    const S& in_single, const D& in_double) {
   return {std::move(name), distribution,
           [distribution] { return distributions::parse_distribution(distribution); },
-          [=](std::string subject, std::shared_ptr<const SlopeLaw> law) {
-            return make_subject(std::move(subject), std::move(law), in_single, in_double, claims);
+          [=](std::string sampler, std::shared_ptr<const ExactSlopes> exact) {
+            return under_test(std::move(sampler), std::move(exact), in_single, in_double, claims);
           }};
 }
 
 /// `Sampler<T>`, made without arguments.
 template <template <class> class Sampler>
-NamedSubject reference(std::string name, const std::string& distribution, const Claims& claims) {
+NamedSampler reference(std::string name, const std::string& distribution, const Claims& claims) {
   return entry(std::move(name), distribution, claims, Sampler<float>{}, Sampler<double>{});
 }
 
 /// The surface of roughness kFrozenAlpha of `in_single` and `in_double`.
 template <class S, class D>
-NamedSubject frozen(std::string name, const std::string& distribution, const S& in_single,
+NamedSampler frozen(std::string name, const std::string& distribution, const S& in_single,
                     const D& in_double) {
-  return entry(std::move(name), distribution, {.law = NormalLaw::all},
+  return entry(std::move(name), distribution, {.normals = SampledNormals::all},
                FrozenSurface<float, S>(in_single, static_cast<float>(kFrozenAlpha)),
                FrozenSurface<double, D>(in_double, kFrozenAlpha));
 }
@@ -66,25 +66,26 @@ using BeckmannWalter = WidenedSurface<T, WalterRoughness<BeckmannNdf<T>>>;
 template <class T>
 using Gtr = GeneralisedTrowbridgeReitzNdf<T>;
 
-NamedSubject gtr_1_5() {
+NamedSampler gtr_1_5() {
   constexpr const char* kNdf = "(1 + (alpha^2 - 1) * cos(theta)^2)^(-1.5)";
   const GtrProfile profile(1.5);
-  auto subject = frozen("gtr-1.5-ndf", "D = " + std::string(kNdf) + ", alpha = 0.5",
+  auto sampler = frozen("gtr-1.5-ndf", "D = " + std::string(kNdf) + ", alpha = 0.5",
                         Gtr<float>(profile), Gtr<double>(profile));
-  subject.make_distribution = [] {
+  sampler.make_distribution = [] {
     return std::make_unique<distributions::FormulaDistribution>(
         distributions::FormulaDistribution::from_ndf(distributions::NdfFormula({kNdf, {}}),
                                                      kFrozenAlpha));
   };
-  return subject;
+  return sampler;
 }
 
-std::vector<NamedSubject> all_subjects() {
-  const Claims map{.inverse_map = true}, visible{}, all{.law = NormalLaw::all},
-      cavities{.law = NormalLaw::visible_v_cavity, .smooth_map = false};
+std::vector<NamedSampler> all_samplers() {
+  const Claims map{.monotone_inverse = true}, visible{}, all{.normals = SampledNormals::all},
+      cavities{.normals = SampledNormals::visible_v_cavity, .smooth = false};
   // Within its cone the sampler takes polar coordinates.
   const Claims map_outside_cone{
-      .inverse_map = true, .map_from = std::acos(GgxAnalyticMethod::kNormalIncidence) / kDegree};
+      .monotone_inverse = true,
+      .inverse_from = std::acos(GgxAnalyticMethod::kNormalIncidence) / kDegree};
   return {
       reference<BeckmannAnalytic>("beckmann-analytic", "beckmann", visible),
       reference<BeckmannExact>("beckmann-exact", "beckmann", map),
@@ -108,18 +109,18 @@ std::vector<NamedSubject> all_subjects() {
 
 }  // namespace
 
-const std::vector<NamedSubject>& named_subjects() {
-  static const std::vector<NamedSubject> list = all_subjects();
+const std::vector<NamedSampler>& named_samplers() {
+  static const std::vector<NamedSampler> list = all_samplers();
   return list;
 }
 
-const NamedSubject& find_subject(const std::string& name) {
-  const auto& list = named_subjects();
+const NamedSampler& find_sampler(const std::string& name) {
+  const auto& list = named_samplers();
   const auto found =
-      std::find_if(list.begin(), list.end(), [&](const NamedSubject& s) { return s.name == name; });
+      std::find_if(list.begin(), list.end(), [&](const NamedSampler& s) { return s.name == name; });
   if (found != list.end()) return *found;
   std::vector<std::string> known;
-  for (const NamedSubject& s : list) known.push_back(s.name);
+  for (const NamedSampler& s : list) known.push_back(s.name);
   throw std::invalid_argument("'" + name + "' is neither a table file nor a reference sampler" +
                               support::did_you_mean(name, known) +
                               "; known: " + support::listed(known));

@@ -1,4 +1,4 @@
-// The reference samplers that can be judged by name. A new sampler is one line of the list.
+// The reference samplers that can be checked by name. A new sampler is one line of the list.
 #pragma once
 
 #include <functional>
@@ -11,19 +11,19 @@
 
 namespace vndf::validate {
 
-struct NamedSubject {
+struct NamedSampler {
   std::string name;
-  /// The law that it claims, in words, and as a distribution.
+  /// The distribution that it claims, in words, and as a distribution.
   std::string distribution;
   std::function<std::unique_ptr<distributions::SlopeDistribution>()> make_distribution;
-  /// Of that law, which may be shared.
-  std::function<Subject(std::string name, std::shared_ptr<const SlopeLaw> law)> make;
+  /// Of that distribution, which may be shared.
+  std::function<SamplerUnderTest(std::string name, std::shared_ptr<const ExactSlopes> exact)> make;
 };
 
 /// All of them, in the order to show.
-const std::vector<NamedSubject>& named_subjects();
+const std::vector<NamedSampler>& named_samplers();
 
 /// The one called `name`. Throws std::invalid_argument, naming the nearest known one.
-const NamedSubject& find_subject(const std::string& name);
+const NamedSampler& find_sampler(const std::string& name);
 
 }  // namespace vndf::validate

@@ -1,4 +1,4 @@
-// Tables as a subject.
+// Tables as a sampler.
 #include "vndf/validate/sampler/sampler_under_test.h"
 
 #include <algorithm>
@@ -93,7 +93,7 @@ Bounds bounds_of(const Certificate& c, std::size_t columns) {
   const double functions =
       kOtherPlaces * std::max({c.max_d_error, c.max_lambda_error, c.max_pdf_error});
   const double typical = density_of(c.marginal.mean_u_error + c.conditional.mean_u_error, columns);
-  // The law of normals combines the errors of both tables.
+  // The distribution of normals combines the errors of both tables.
   return {.u_error = u + kRoundingUError,
           .tail_error = tail + plain.tail_error,
           .density_error = density + plain.density_error,
@@ -101,24 +101,25 @@ Bounds bounds_of(const Certificate& c, std::size_t columns) {
           .declared = {2 * u, std::min(density, typical), 2 * tail}};
 }
 
-Subject tabulated_subject(std::string name, std::shared_ptr<const SlopeLaw> law,
-                          std::shared_ptr<const SlopeTables> tables,
-                          const Certificate& certificate) {
+SamplerUnderTest tables_under_test(std::string name, std::shared_ptr<const ExactSlopes> exact,
+                                   std::shared_ptr<const SlopeTables> tables,
+                                   const Certificate& certificate) {
   const std::size_t columns = std::max(tables->marginal.columns(), tables->conditional.columns());
-  return make_subject(std::move(name), std::move(law), TabulatedSampler<float>(tables),
-                      TabulatedSampler<double>(tables),
-                      {.law = NormalLaw::visible_smith, .inverse_map = true},
-                      bounds_of(certificate, columns));
+  return under_test(std::move(name), std::move(exact), TabulatedSampler<float>(tables),
+                    TabulatedSampler<double>(tables),
+                    {.normals = SampledNormals::visible_smith, .monotone_inverse = true},
+                    bounds_of(certificate, columns));
 }
 
-Subject kernel_subject(std::string name, std::shared_ptr<const SlopeLaw> law,
-                       const KernelTables& tables) {
+SamplerUnderTest baked_tables_under_test(std::string name, std::shared_ptr<const ExactSlopes> exact,
+                                         const KernelTables& tables) {
   const SharedKernel<float> kernel(tables);
-  Subject s = make_subject(std::move(name), std::move(law), kernel, SharedKernel<double>(tables),
-                           {.law = NormalLaw::visible_smith, .inverse_map = true},
-                           bounds_of(tables.certificate(), columns_of(tables.header())));
+  SamplerUnderTest s =
+      under_test(std::move(name), std::move(exact), kernel, SharedKernel<double>(tables),
+                 {.normals = SampledNormals::visible_smith, .monotone_inverse = true},
+                 bounds_of(tables.certificate(), columns_of(tables.header())));
   s.sample_double = {};  // no more exact than the other
-  s.map_density = [kernel](const Configuration& c, const Pair& u) {
+  s.map_density = [kernel](const Configuration& c, const RandomPair& u) {
     return kernel.map_density(vector_of<float>(c.wi), alpha_of<float>(c.alpha),
                               static_cast<float>(u.x), static_cast<float>(u.y));
   };

@@ -1,4 +1,4 @@
-// A sampler under judgement, whatever its type: its functions behind std::function, called per
+// A sampler under test, whatever its type: its functions behind std::function, called per
 // batch of samples so that the indirection costs nothing, and what it claims.
 #pragma once
 
@@ -21,7 +21,7 @@
 
 namespace vndf::validate {
 
-/// What a subject must keep to pass.
+/// What a sampler must keep to pass.
 struct Bounds {
   /// |CDF(x(u)) - u|. A sampler without tables is to be right to 1e-5: ten times the rounding of a
   /// single-precision normal, and below what 1e10 samples of it could show in an image.
@@ -34,51 +34,51 @@ struct Bounds {
   /// pdf, D (relative), Lambda (of 1 + Lambda) and G1 (relative), and all integrals of them. The
   /// largest rounding is that of D of Beckmann at its rim, 4.1e-5.
   double function_error = 1e-4;
-  /// What the law of the normals may differ from the exact one: nothing, for a sampler without
-  /// tables.
+  /// What the distribution of the normals may differ from the exact one: nothing, for a sampler
+  /// without tables.
   DeclaredErrors declared = {};
 };
 
-/// What a subject claims to be.
+/// What a sampler claims to be.
 struct Claims {
-  NormalLaw law = NormalLaw::visible_smith;
-  /// Whether sample() is the monotone inverse of the law in (u1, u2): slope x at u1, then slope y
-  /// given x at u2, both increasing in the frame of the stretched incident direction.
-  bool inverse_map = false;
-  /// Whether its map is of a few smooth pieces, so that even random numbers give an even law. False
-  /// for one that takes the last digits of a random number for another.
-  bool smooth_map = true;
+  SampledNormals normals = SampledNormals::visible_smith;
+  /// Whether sample() is the monotone inverse of the distribution in (u1, u2): slope x at u1, then
+  /// slope y given x at u2, both increasing in the frame of the stretched incident direction.
+  bool monotone_inverse = false;
+  /// Whether its map is of a few smooth pieces, so that even random numbers give an even
+  /// distribution. False for one that takes the last digits of a random number for another.
+  bool smooth = true;
   /// Angle of the stretched incident direction, in degrees, from which it is that: published
   /// samplers take polar coordinates instead near normal incidence.
-  double map_from = 0;
+  double inverse_from = 0;
 
-  bool map_at(const Configuration& c) const {
+  bool inverse_at(const Configuration& c) const {
     const double horizontal = std::hypot(c.alpha.x * c.wi.x, c.alpha.y * c.wi.y);
-    return inverse_map && std::atan2(horizontal, c.wi.z) / kDegree >= map_from;
+    return monotone_inverse && std::atan2(horizontal, c.wi.z) / kDegree >= inverse_from;
   }
 };
-
-using Pair = Vec2<double>;  // (u1, u2)
 
 /// Refractive index of glass over that of air.
 inline constexpr double kGlassIndex = 1.5;
 
 /// Directions and random numbers are given in double precision but are whole single-precision
 /// numbers, except to sample_double.
-struct Subject {
+struct SamplerUnderTest {
   std::string name;
-  std::shared_ptr<const SlopeLaw> law;
+  std::shared_ptr<const ExactSlopes> exact;
   Claims claims;
   Bounds bounds;
 
-  std::function<void(const Configuration&, std::span<const Pair> u, std::span<Vec3<double>> wm)>
+  std::function<void(const Configuration&, std::span<const RandomPair> u,
+                     std::span<Vec3<double>> wm)>
       sample;
   /// The same map in double precision; may be empty.
-  std::function<void(const Configuration&, std::span<const Pair> u, std::span<Vec3<double>> wm)>
+  std::function<void(const Configuration&, std::span<const RandomPair> u,
+                     std::span<Vec3<double>> wm)>
       sample_double;
-  /// The density of the map at a normal that is sampled, as the subject gives it with the normal,
+  /// The density of the map at a normal that is sampled, as the sampler gives it with the normal,
   /// where there is no map in double precision to differentiate; may be empty.
-  std::function<double(const Configuration&, const Pair& u)> map_density;
+  std::function<double(const Configuration&, const RandomPair& u)> map_density;
   std::function<void(const Configuration&, std::span<const Vec3<double>> wm, std::span<double> pdf)>
       pdf;
   std::function<void(const Alpha<double>&, std::span<const Vec3<double>> wm, std::span<double> d)>
@@ -95,7 +95,7 @@ struct Subject {
 
   /// One normal.
   Vec3<double> sample_one(const Configuration& c, double u1, double u2) const {
-    const Pair u{u1, u2};
+    const RandomPair u{u1, u2};
     Vec3<double> wm{};
     sample(c, {&u, 1}, {&wm, 1});
     return wm;
@@ -114,13 +114,14 @@ Alpha<T> alpha_of(const Alpha<double>& a) {
 /// Calls `sampler`, of precision T, for a batch.
 template <class T, NormalSampler<T> S>
 auto batch_of(const S& sampler) {
-  return [sampler](const Configuration& c, std::span<const Pair> u, std::span<Vec3<double>> wm) {
-    const Vec3<T> wi = vector_of<T>(c.wi);
-    const Alpha<T> alpha = alpha_of<T>(c.alpha);
-    for (std::size_t k = 0; k < u.size(); ++k)
-      wm[k] = vector_of<double>(
-          sampler.sample(wi, alpha, static_cast<T>(u[k].x), static_cast<T>(u[k].y)));
-  };
+  return
+      [sampler](const Configuration& c, std::span<const RandomPair> u, std::span<Vec3<double>> wm) {
+        const Vec3<T> wi = vector_of<T>(c.wi);
+        const Alpha<T> alpha = alpha_of<T>(c.alpha);
+        for (std::size_t k = 0; k < u.size(); ++k)
+          wm[k] = vector_of<double>(
+              sampler.sample(wi, alpha, static_cast<T>(u[k].x), static_cast<T>(u[k].y)));
+      };
 }
 
 /// Evaluates `bsdf`, of precision T, for a batch.
@@ -138,7 +139,7 @@ void evaluate_batch(const Bsdf& bsdf, const Configuration& c, std::span<const Ve
 
 /// Gives `s` the BSDFs of the surface that `sampler` and the masking model M make.
 template <class T, class M, class S>
-void set_bsdfs_of(Subject& s, const S& sampler) {
+void set_bsdfs_of(SamplerUnderTest& s, const S& sampler) {
   s.g2 = [sampler](const Alpha<double>& alpha, const Vec3<double>& wi, const Vec3<double>& wo,
                    const Vec3<double>& wm) {
     return static_cast<double>(vndf::g2<M>(sampler, vector_of<T>(wi), vector_of<T>(wo),
@@ -157,21 +158,21 @@ void set_bsdfs_of(Subject& s, const S& sampler) {
 }
 
 template <class T, class S>
-void set_bsdfs(Subject& s, const S& sampler) {
-  if (s.claims.law == NormalLaw::visible_v_cavity)
+void set_bsdfs(SamplerUnderTest& s, const S& sampler) {
+  if (s.claims.normals == SampledNormals::visible_v_cavity)
     set_bsdfs_of<T, VCavityMasking>(s, sampler);
   else
     set_bsdfs_of<T, SmithCorrelated>(s, sampler);
 }
 
-/// A subject made of `sampler`, of precision T. Where its pdf is 0 for a law of all normals, or its
-/// g1 is that of another surface, `claims` says so.
+/// A sampler made of `sampler`, of precision T. Where its pdf is 0 for a distribution of all
+/// normals, or its g1 is that of another surface, `claims` says so.
 template <class T, NormalSampler<T> S>
-Subject make_subject(std::string name, std::shared_ptr<const SlopeLaw> law, const S& sampler,
-                     const Claims& claims, const Bounds& bounds = {}) {
-  Subject s;
+SamplerUnderTest under_test(std::string name, std::shared_ptr<const ExactSlopes> exact,
+                            const S& sampler, const Claims& claims, const Bounds& bounds = {}) {
+  SamplerUnderTest s;
   s.name = std::move(name);
-  s.law = std::move(law);
+  s.exact = std::move(exact);
   s.claims = claims;
   s.bounds = bounds;
   s.sample = batch_of<T>(sampler);
@@ -199,9 +200,11 @@ Subject make_subject(std::string name, std::shared_ptr<const SlopeLaw> law, cons
 /// The same with its map in double precision too, for the derivatives, and its BSDFs, for the half
 /// vector of two opposite directions is lost in their rounding.
 template <NormalSampler<float> S, NormalSampler<double> D>
-Subject make_subject(std::string name, std::shared_ptr<const SlopeLaw> law, const S& sampler,
-                     const D& in_double, const Claims& claims, const Bounds& bounds = {}) {
-  Subject s = make_subject<float>(std::move(name), std::move(law), sampler, claims, bounds);
+SamplerUnderTest under_test(std::string name, std::shared_ptr<const ExactSlopes> exact,
+                            const S& sampler, const D& in_double, const Claims& claims,
+                            const Bounds& bounds = {}) {
+  SamplerUnderTest s =
+      under_test<float>(std::move(name), std::move(exact), sampler, claims, bounds);
   s.sample_double = batch_of<double>(in_double);
   set_bsdfs<double>(s, in_double);
   return s;
@@ -212,12 +215,12 @@ Subject make_subject(std::string name, std::shared_ptr<const SlopeLaw> law, cons
 Bounds bounds_of(const Certificate& certificate, std::size_t columns);
 
 /// Tables as a renderer runs them, in single precision.
-Subject tabulated_subject(std::string name, std::shared_ptr<const SlopeLaw> law,
-                          std::shared_ptr<const SlopeTables> tables,
-                          const Certificate& certificate);
+SamplerUnderTest tables_under_test(std::string name, std::shared_ptr<const ExactSlopes> exact,
+                                   std::shared_ptr<const SlopeTables> tables,
+                                   const Certificate& certificate);
 
 /// Baked tables, which are shared, with the bounds of their own certificate.
-Subject kernel_subject(std::string name, std::shared_ptr<const SlopeLaw> law,
-                       const KernelTables& tables);
+SamplerUnderTest baked_tables_under_test(std::string name, std::shared_ptr<const ExactSlopes> exact,
+                                         const KernelTables& tables);
 
 }  // namespace vndf::validate

@@ -1,6 +1,6 @@
-// Walter's trick before the judge: a sampler that draws all normals at the roughness
+// Walter's trick before the validator: a sampler that draws all normals at the roughness
 // alpha' = (1.2 - 0.2 sqrt(cos(theta_i))) alpha (Walter et al. 2007, section 5.3) is given the
-// alpha whose alpha' is the one of the judgement, so that its law must be that of all normals
+// alpha whose alpha' is the one of the check, so that its distribution must be that of all normals
 // there.
 #pragma once
 

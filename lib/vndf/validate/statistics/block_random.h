@@ -1,4 +1,4 @@
-// Random numbers of one block of a judgement, which follow from the seed and from where the block
+// Random numbers of one block of a check, which follow from the seed and from where the block
 // is: results do not depend on which thread runs it, nor on how many there are.
 #pragma once
 

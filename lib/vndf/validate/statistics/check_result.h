@@ -1,4 +1,5 @@
-// What a stage of the judge has to say: one statistic, its bound, and the place where it is worst.
+// What a check of the validator has to say: one statistic, its bound, and the place where it is
+// worst.
 #pragma once
 
 #include <algorithm>
@@ -17,11 +18,11 @@ enum class Kind {
   probability  ///< the smallest p-value of `tests` independent tests, which must not be smaller
 };
 
-struct Finding {
-  std::string stage = {}, statistic = {};
+struct CheckResult {
+  std::string check = {}, statistic = {};
   Kind kind = Kind::error;
   double measured = 0;
-  double bound = 0;  ///< of a p-value: set for the whole run by the judge
+  double bound = 0;  ///< of a p-value: set for the whole run by the validator
   Place where = {};
   std::size_t tests = 0;  ///< of a p-value: how many were made
   std::string note = {};
@@ -30,8 +31,9 @@ struct Finding {
   bool passed() const { return kind == Kind::error ? measured <= bound : measured >= bound; }
 };
 
-inline bool all_passed(const std::vector<Finding>& findings) {
-  return std::all_of(findings.begin(), findings.end(), [](const Finding& f) { return f.passed(); });
+inline bool all_passed(const std::vector<CheckResult>& results) {
+  return std::all_of(results.begin(), results.end(),
+                     [](const CheckResult& f) { return f.passed(); });
 }
 
 /// The largest of several errors and where it was; what is not a number is larger than any.
@@ -47,8 +49,8 @@ struct Worst {
   }
   void see(const Worst& other) { see(other.measured, other.where); }
 
-  Finding finding(std::string stage, std::string statistic, double bound) const {
-    return {std::move(stage), std::move(statistic), Kind::error, measured, bound, where};
+  CheckResult result(std::string check, std::string statistic, double bound) const {
+    return {std::move(check), std::move(statistic), Kind::error, measured, bound, where};
   }
 };
 

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <cstddef>
 
-#include "vndf/validate/sampler/sampler_under_test.h"
+#include "vndf/validate/exact/configuration.h"
 
 namespace vndf::validate {
 
 /// Point `k`, whole single-precision numbers in [0, 1).
-inline Pair even_point(std::size_t k) {
+inline RandomPair quasi_random_point(std::size_t k) {
   const auto part = [k](double step) {
     const double x = static_cast<double>(k) * step + 0.3;
     return std::fmin(to_single(x - std::floor(x)), 1 - 0x1p-24);

@@ -11,8 +11,8 @@
 namespace vndf::validate {
 namespace {
 
-// Beyond this many degrees of freedom and noncentrality the noncentral law is normal in the cube
-// root to 1e-3 of its p-value (Sankaran 1959), and its series is long.
+// Beyond this many degrees of freedom and noncentrality the noncentral distribution is normal in
+// the cube root to 1e-3 of its p-value (Sankaran 1959), and its series is long.
 constexpr double kLongSeries = 1e4;
 
 /// Upper tail of the noncentral chi-square by Sankaran's approximation.
@@ -43,12 +43,12 @@ double chi_square_p(double statistic, std::size_t bins, double count, double dec
 
 double binomial_p(std::uint64_t seen, std::uint64_t count, double expected, double declared) {
   const auto n = static_cast<double>(count), k = static_cast<double>(seen);
-  const auto law = [&](double factor) {
+  const auto in_bin = [&](double factor) {
     return boost::math::binomial(n, std::clamp(expected * factor, 0.0, 1.0));
   };
-  // Too few are judged by the smallest probability that is declared, too many by the largest.
-  const double few = cdf(law(1 / (1 + declared)), k);
-  const double many = seen == 0 ? 1 : cdf(complement(law(1 + declared), k - 1));
+  // Too few are checked by the smallest probability that is declared, too many by the largest.
+  const double few = cdf(in_bin(1 / (1 + declared)), k);
+  const double many = seen == 0 ? 1 : cdf(complement(in_bin(1 + declared), k - 1));
   return std::min(1.0, 2 * std::min(few, many));
 }
 

@@ -1,4 +1,4 @@
-// The probabilities behind verdicts on counts: p-values that allow for an error that a subject
+// The probabilities behind verdicts on counts: p-values that allow for an error that a sampler
 // declares, Sidak's correction for many tests, and the size of error that a number of samples can
 // see.
 #pragma once
@@ -15,10 +15,10 @@ inline constexpr double kRunSignificance = 1e-6;
 /// least once with probability `significance`.
 double sidak(double significance, std::size_t tests);
 
-/// p-value of Pearson's statistic of `count` samples over `bins` bins, for a law whose bins differ
-/// from the expected ones by a declared relative error `declared` (root mean square) at most: the
-/// noncentral chi-square with noncentrality count declared^2 (Patnaik 1949). Valid: an expected
-/// count of 5 or more in each bin.
+/// p-value of Pearson's statistic of `count` samples over `bins` bins, for a distribution whose
+/// bins differ from the expected ones by a declared relative error `declared` (root mean square) at
+/// most: the noncentral chi-square with noncentrality count declared^2 (Patnaik 1949). Valid: an
+/// expected count of 5 or more in each bin.
 double chi_square_p(double statistic, std::size_t bins, double count, double declared);
 
 /// Two-sided p-value of `seen` of `count` samples in a bin whose probability is `expected` times a

@@ -48,9 +48,9 @@ double declared_at(const DeclaredErrors& declared, double e) {
   return declared.density + declared.tail * depth;
 }
 
-Finding probability(const std::string& stage, const std::string& statistic, double p,
-                    std::size_t tests, const Place& where, std::string note) {
-  return {stage, statistic, Kind::probability, p, 0, where, tests, std::move(note)};
+CheckResult probability(const std::string& check, const std::string& statistic, double p,
+                        std::size_t tests, const Place& where, std::string note) {
+  return {check, statistic, Kind::probability, p, 0, where, tests, std::move(note)};
 }
 
 }  // namespace
@@ -124,7 +124,7 @@ double LineCounts::tails(const DeclaredErrors& declared, double& ratio) const {
   const auto n = static_cast<double>(samples_);
   double smallest = 1;
   ratio = 1;
-  const auto judge = [&](std::uint64_t seen, double mass) {
+  const auto test = [&](std::uint64_t seen, double mass) {
     const double p = binomial_p(seen, samples_, mass, declared_at(declared, mass));
     if (p >= smallest) return;
     smallest = p;
@@ -136,12 +136,12 @@ double LineCounts::tails(const DeclaredErrors& declared, double& ratio) const {
       // The last octave stands for everything beyond it: nothing is left out.
       const double from = std::ldexp(1.0, -kFirstOctave - static_cast<int>(k));
       if (k + 1 < octaves) {
-        judge((*end)[k], from / 2);
+        test((*end)[k], from / 2);
         continue;
       }
       std::uint64_t rest = 0;
       for (std::size_t j = k; j < kOctaves; ++j) rest += (*end)[j];
-      judge(rest, from);
+      test(rest, from);
     }
   return smallest;
 }
@@ -173,43 +173,45 @@ double UniformCounts::square_p(const DeclaredErrors& declared) const {
   return chi_square_p(pearson(square_, n), square_.size(), n, declared.density);
 }
 
-std::vector<Finding> UniformCounts::findings(const DeclaredErrors& declared,
-                                             const std::string& stage, const Place& where) const {
-  std::vector<Finding> list;
+std::vector<CheckResult> UniformCounts::results(const DeclaredErrors& declared,
+                                                const std::string& check,
+                                                const Place& where) const {
+  std::vector<CheckResult> list;
   const auto line = [&](const LineCounts& counts, const std::string& name) {
     double ratio = 1;
-    list.push_back(probability(stage, name + " cdf", counts.cumulative(declared), 1, where,
+    list.push_back(probability(check, name + " cdf", counts.cumulative(declared), 1, where,
                                "distance " + support::rounded_text(counts.distance())));
-    list.push_back(probability(stage, name + " chi-square", counts.chi_square(declared), 1, where,
+    list.push_back(probability(check, name + " chi-square", counts.chi_square(declared), 1, where,
                                std::to_string(counts.samples()) + " samples"));
     if (counts.octaves() == 0) return;
     const double tails = counts.tails(declared, ratio);
-    list.push_back(probability(stage, name + " tails", tails, 2 * counts.octaves(), where,
+    list.push_back(probability(check, name + " tails", tails, 2 * counts.octaves(), where,
                                "mass ratio " + support::rounded_text(ratio)));
   };
   line(r_, "radius");
   line(phi_, "azimuth");
   line(x_, "slope x");
-  list.push_back(probability(stage, "sphere chi-square", square_p(declared), 1, where,
+  list.push_back(probability(check, "sphere chi-square", square_p(declared), 1, where,
                              std::to_string(square_.size()) + " cells"));
   return list;
 }
 
-std::size_t number_of_tests(const std::vector<Finding>& findings) {
+std::size_t number_of_tests(const std::vector<CheckResult>& results) {
   std::size_t tests = 0;
-  for (const Finding& f : findings) tests += f.tests;
+  for (const CheckResult& f : results) tests += f.tests;
   return tests;
 }
 
-void bound_probabilities(std::vector<Finding>& findings, double significance, std::size_t tests) {
-  for (Finding& f : findings)
+void bound_probabilities(std::vector<CheckResult>& results, double significance,
+                         std::size_t tests) {
+  for (CheckResult& f : results)
     if (f.kind == Kind::probability) f.bound = sidak(significance, tests);
 }
 
-void merge_findings(std::vector<Finding>& all, const std::vector<Finding>& more) {
-  for (const Finding& f : more) {
-    const auto same = std::find_if(all.begin(), all.end(), [&](const Finding& a) {
-      return a.stage == f.stage && a.statistic == f.statistic;
+void merge_results(std::vector<CheckResult>& all, const std::vector<CheckResult>& more) {
+  for (const CheckResult& f : more) {
+    const auto same = std::find_if(all.begin(), all.end(), [&](const CheckResult& a) {
+      return a.check == f.check && a.statistic == f.statistic;
     });
     if (same == all.end()) {
       all.push_back(f);

@@ -1,5 +1,5 @@
-// Counts of uniform numbers and what they say: whether sampled normals have the law that they
-// claim. Bins are prime in number, so that none is aligned with the cells of a table; none is
+// Counts of uniform numbers and what they say: whether sampled normals have the distribution that
+// they claim. Bins are prime in number, so that none is aligned with the cells of a table; none is
 // pooled. Tails are counted by octaves to the last that can be resolved.
 #pragma once
 
@@ -16,7 +16,8 @@ namespace vndf::validate {
 /// Bins of one variable and of the two sides of the unit square, all prime.
 inline constexpr std::size_t kBins = 10007, kSideR = 101, kSidePhi = 103;
 
-/// The errors that a subject owns to: counts are judged against the nearest law within them.
+/// The errors that a sampler owns to: counts are checked against the nearest distribution within
+/// them.
 struct DeclaredErrors {
   double u = 0;        ///< of the CDF
   double density = 0;  ///< relative, of the density
@@ -68,9 +69,9 @@ class UniformCounts {
   void add(const Uniforms& w);
   void add(const UniformCounts& other);
 
-  /// One finding for each statistic, at `where`.
-  std::vector<Finding> findings(const DeclaredErrors& declared, const std::string& stage,
-                                const Place& where) const;
+  /// One result for each statistic, at `where`.
+  std::vector<CheckResult> results(const DeclaredErrors& declared, const std::string& check,
+                                   const Place& where) const;
 
  private:
   double square_p(const DeclaredErrors& declared) const;
@@ -80,13 +81,13 @@ class UniformCounts {
   std::vector<std::uint64_t> square_;
 };
 
-/// Independent tests behind the p-values of `findings`.
-std::size_t number_of_tests(const std::vector<Finding>& findings);
+/// Independent tests behind the p-values of `results`.
+std::size_t number_of_tests(const std::vector<CheckResult>& results);
 
 /// Gives each p-value its bound: Sidak's correction over `tests`.
-void bound_probabilities(std::vector<Finding>& findings, double significance, std::size_t tests);
+void bound_probabilities(std::vector<CheckResult>& results, double significance, std::size_t tests);
 
-/// Keeps of every statistic in both lists the worse finding, and adds the numbers of tests.
-void merge_findings(std::vector<Finding>& all, const std::vector<Finding>& more);
+/// Keeps of every statistic in both lists the worse result, and adds the numbers of tests.
+void merge_results(std::vector<CheckResult>& all, const std::vector<CheckResult>& more);
 
 }  // namespace vndf::validate

@@ -1,5 +1,5 @@
-// Stage: the subject beside an exact sampler, on the same random numbers.
-#include "vndf/validate/checks/cross_validation.h"
+// Check: the sampler beside an exact sampler, on the same random numbers.
+#include "vndf/validate/checks/cross_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,10 +38,11 @@ double difference(const Uniforms& a, const Uniforms& b) {
 /// What an error of 1 in u1 and one in u2 together make of the uniforms, at least 1. A radius can
 /// move by many times the error of its slope x, where less mass lies beyond that slope than beyond
 /// the radius. By differences from `here`, the uniforms at `u`, over `step` towards the middle.
-double condition_number(const Subject& subject, const Configuration& c, const ExactLaw& law,
-                        const Pair& u, const Uniforms& here, double step) {
+double condition_number(const SamplerUnderTest& sampler, const Configuration& c,
+                        const ExactDistribution& distribution, const RandomPair& u,
+                        const Uniforms& here, double step) {
   const auto uniforms = [&](double u1, double u2) {
-    return law.uniforms(exact_normal(*subject.law, c, u1, u2), 0);
+    return distribution.uniforms(exact_normal(*sampler.exact, c, u1, u2), 0);
   };
   const auto moved = [&](double p) { return p < 0.5 ? p + step : p - step; };
   const double made =
@@ -49,19 +50,19 @@ double condition_number(const Subject& subject, const Configuration& c, const Ex
   return std::max(1.0, made / step);
 }
 
-Difference compare(const Subject& subject, const Configuration& c, std::size_t points) {
-  const ExactLaw law(*subject.law, subject.claims.law, c);
-  const double step = std::min(subject.bounds.u_error, kLargestStep);
+Difference compare(const SamplerUnderTest& sampler, const Configuration& c, std::size_t points) {
+  const ExactDistribution distribution(*sampler.exact, sampler.claims.normals, c);
+  const double step = std::min(sampler.bounds.u_error, kLargestStep);
   Difference worst;
   for (std::size_t k = 0; k < points; ++k) {
-    const Pair u = even_point(k);
-    const Vec3<double> exact = exact_normal(*subject.law, c, u.x, u.y);
-    const Vec3<double> given = subject.sample_one(c, u.x, u.y);
+    const RandomPair u = quasi_random_point(k);
+    const Vec3<double> exact = exact_normal(*sampler.exact, c, u.x, u.y);
+    const Vec3<double> given = sampler.sample_one(c, u.x, u.y);
     if (given.z < kSmallestHeight || exact.z < kSmallestHeight) continue;
     const Place place = place_of(c, u.x, u.y);
-    const Uniforms here = law.uniforms(exact, 0);
-    const double moved = difference(here, law.uniforms(given, 0));
-    worst.u.see(moved / condition_number(subject, c, law, u, here, step), place);
+    const Uniforms here = distribution.uniforms(exact, 0);
+    const double moved = difference(here, distribution.uniforms(given, 0));
+    worst.u.see(moved / condition_number(sampler, c, distribution, u, here, step), place);
     worst.angle.see(angle_between(exact, given), place);
   }
   return worst;
@@ -69,29 +70,30 @@ Difference compare(const Subject& subject, const Configuration& c, std::size_t p
 
 }  // namespace
 
-Vec3<double> exact_normal(const SlopeLaw& law, const Configuration& c, double u1, double u2) {
-  const StretchedFrame frame(law, c);
-  const auto& slopes = law.slopes();
+Vec3<double> exact_normal(const ExactSlopes& exact, const Configuration& c, double u1, double u2) {
+  const StretchedFrame frame(exact, c);
+  const auto& slopes = exact.unit_slopes();
   const double a = VisibleSlopes(slopes, frame.cotangent()).quantile({u1, 1 - u1}, 0);
   const double x = std::sinh(a);
-  const double y =
-      ConditionalLaw::judged(slopes, x) ? ConditionalLaw(slopes, x).quantile({u2, 1 - u2}) : 0;
+  const double y = ExactConditional::is_checked(slopes, x)
+                       ? ExactConditional(slopes, x).quantile({u2, 1 - u2})
+                       : 0;
   return frame.normal_of({x, y, 1});
 }
 
-std::vector<Finding> cross_validate(const Subject& subject, std::size_t points,
-                                    const support::Workers& workers) {
-  auto list = law_configurations();
-  std::erase_if(list, [&](const Configuration& c) { return !subject.claims.map_at(c); });
+std::vector<CheckResult> cross_check(const SamplerUnderTest& sampler, std::size_t points,
+                                     const support::Workers& workers) {
+  auto list = check_configurations();
+  std::erase_if(list, [&](const Configuration& c) { return !sampler.claims.inverse_at(c); });
   std::vector<Difference> each(list.size());
   support::parallel_for(list.size(), workers,
-                        [&](std::size_t i) { each[i] = compare(subject, list[i], points); });
+                        [&](std::size_t i) { each[i] = compare(sampler, list[i], points); });
   Difference all;
   for (const Difference& d : each) {
     all.u.see(d.u);
     all.angle.see(d.angle);
   }
-  Finding f = all.u.finding("cross", "difference in u", subject.bounds.u_error);
+  CheckResult f = all.u.result("cross-check", "difference in u", sampler.bounds.u_error);
   f.note = "angle up to " + support::rounded_text(all.angle.measured) + " rad";
   return {f};
 }
