@@ -27,7 +27,7 @@ void check_quantiles(const std::vector<double>& places) {
   const auto distribution = parse_distribution(Forms::name);
   const UnitSlopes slopes(*distribution, {});
   for (const double x : places) {
-    const ConditionalSlopes conditional(slopes, x / slopes.mean_slope(), plain_scale(slopes));
+    const ConditionalDistribution conditional(slopes, x / slopes.mean_slope(), plain_scale(slopes));
     const double unit =
         std::hypot(slopes.mean_slope(), x);  // of y, in the distribution's own units
     // p22 magnifies the rounding of r^2 by up to r^2, which the quadrature sees as its own error.
@@ -54,7 +54,7 @@ TEST_CASE("conditional quantiles invert the closed CDF to 1e-12 in both tails") 
 TEST_CASE("the ends of the conditional are infinity and 0") {
   const Ggx ggx;
   const UnitSlopes slopes(ggx, {});
-  const ConditionalSlopes conditional(slopes, 0.5, plain_scale(slopes));
+  const ConditionalDistribution conditional(slopes, 0.5, plain_scale(slopes));
   CHECK(conditional.quantile({1, 0}) == std::numeric_limits<double>::infinity());
   CHECK(conditional.quantile({0, 1}) == 0);
   CHECK(conditional.cdf(0).complement == Approx(1).epsilon(1e-14));
@@ -63,15 +63,15 @@ TEST_CASE("the ends of the conditional are infinity and 0") {
 TEST_CASE("a slope where the density is lost in double precision is not reachable") {
   const Beckmann beckmann;
   const UnitSlopes slopes(beckmann, {});
-  CHECK(ConditionalSlopes::reachable(slopes, 10));
-  CHECK_FALSE(ConditionalSlopes::reachable(slopes, 60));
+  CHECK(ConditionalDistribution::reachable(slopes, 10));
+  CHECK_FALSE(ConditionalDistribution::reachable(slopes, 60));
 }
 
 TEST_CASE("the conditional of a disk is uniform up to its edge") {
   const UniformDisk disk;
   const UnitSlopes slopes(disk, {});
   for (const double x : {0.0, 0.3, 0.9, 0.999}) {
-    const ConditionalSlopes conditional(slopes, x / slopes.mean_slope(), plain_scale(slopes));
+    const ConditionalDistribution conditional(slopes, x / slopes.mean_slope(), plain_scale(slopes));
     for (const double p : {1e-6, 0.25, 0.5, 0.999999}) {
       CAPTURE(x, p);
       CHECK(conditional.quantile({p, 1 - p}) == Approx(p).epsilon(1e-9));
@@ -83,7 +83,7 @@ TEST_CASE("the conditional of a disk is uniform up to its edge") {
 TEST_CASE("the conditional of a ring leaves out its hole") {
   const Annulus ring(0.5);
   const UnitSlopes slopes(ring, {});
-  const ConditionalSlopes conditional(slopes, 0, plain_scale(slopes));
+  const ConditionalDistribution conditional(slopes, 0, plain_scale(slopes));
   // Uniform in [1/2, 1].
   CHECK(conditional.quantile({1e-9, 1 - 1e-9}) == Approx(0.5).epsilon(1e-8));
   CHECK(conditional.quantile({0.5, 0.5}) == Approx(0.75).epsilon(1e-9));

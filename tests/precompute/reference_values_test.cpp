@@ -91,8 +91,8 @@ TEST_CASE("visible quantiles agree with the reference values within the certific
       CAPTURE(named.spec, r.place, r.u);
       const double theta = r.place * std::numbers::pi / 180;
       const double mu = s.slopes.mean_slope();
-      const VisibleSlopes visible(s.slopes,
-                                  bounded_cotangent(std::cos(theta), mu * std::sin(theta)));
+      const MarginalDistribution visible(s.slopes,
+                                         bounded_cotangent(std::cos(theta), mu * std::sin(theta)));
       // The exact CDF at the reference's slope, to the precision of the curves ...
       CHECK(visible.cdf(std::asinh(r.value / mu)).u == Approx(r.u).margin(1e-12));
       // ... and the sampler's slope through it.
@@ -118,7 +118,7 @@ TEST_CASE("conditional quantiles agree with the reference values within the cert
       const SlopeTables& tables = *s.built.tables;
       const ConditionalScale<double> scale_of{tables.conditional_constant,
                                               tables.conditional_quadratic};
-      const ConditionalSlopes conditional(s.slopes, x, scale_of);
+      const ConditionalDistribution conditional(s.slopes, x, scale_of);
       const double scale = mu * scale_of.at({x, 1});
       const auto cdf = [&](double y) {
         const double tail = conditional.cdf(std::abs(y) / scale).complement / 2;

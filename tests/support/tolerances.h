@@ -7,7 +7,7 @@
 namespace vndf::test {
 
 /// Table entries: root finding to 1e-12 in u (issue of record: build_tables.h and
-/// visible_slopes.h).
+/// marginal_distribution.h).
 inline constexpr double kQuantileError = 1e-12;
 
 /// The 1024 x 1024 tables, in single precision: the bound on u-error that the README promises. The

@@ -15,7 +15,7 @@ inline double largest_difference(const precompute::UnitSlopes& a, const precompu
   for (const double degrees : {0.0, 10.0, 45.0, 80.0, 89.0, 90.0}) {
     const double theta = degrees * std::numbers::pi / 180;
     const auto c = bounded_cotangent(degrees == 90 ? 0 : std::cos(theta), std::sin(theta));
-    const precompute::VisibleSlopes va(a, c), vb(b, c);
+    const precompute::MarginalDistribution va(a, c), vb(b, c);
     for (double x = -10; x < std::min(va.farthest(), 10.0); x += 0.05)
       worst = std::max(worst, std::abs(va.cdf(x).u - vb.cdf(x).u));
   }

@@ -11,15 +11,15 @@
 
 namespace vndf::bench {
 
-using precompute::ConditionalSlopes;
+using precompute::ConditionalDistribution;
 using precompute::density_error;
 using precompute::from_complement;
 using precompute::from_tail;
 using precompute::keep_farthest;
+using precompute::MarginalDistribution;
 using precompute::tail_ratio;
 using precompute::u_error;
 using precompute::UnitSlopes;
-using precompute::VisibleSlopes;
 using support::parallel_for;
 using support::Workers;
 
@@ -41,13 +41,13 @@ Probability<double> column_u(std::size_t j, std::size_t side) {
   return from_tail(u);
 }
 
-VisibleSlopes visible_at(const UnitSlopes& slopes, double theta) {
+MarginalDistribution visible_at(const UnitSlopes& slopes, double theta) {
   const double z = theta < kRightAngle ? std::cos(theta) : 0;
   return {slopes, bounded_cotangent(z, slopes.mean_slope() * std::sin(theta))};
 }
 
 /// The distribution of y in units of the mean slope, at the slope x in those units.
-ConditionalSlopes conditional_at(const UnitSlopes& slopes, double x) {
+ConditionalDistribution conditional_at(const UnitSlopes& slopes, double x) {
   return {slopes, x, precompute::plain_scale(slopes)};
 }
 
@@ -57,7 +57,7 @@ double scale_at(const UnitSlopes& slopes, double x) {
 }
 
 void fill_x_row(const UnitSlopes& slopes, double theta, std::size_t side, float* row) {
-  const VisibleSlopes visible = visible_at(slopes, theta);
+  const MarginalDistribution visible = visible_at(slopes, theta);
   double a = 0;
   for (std::size_t j = 0; j < side; ++j) {
     a = visible.quantile(column_u(j, side), a);
@@ -66,7 +66,7 @@ void fill_x_row(const UnitSlopes& slopes, double theta, std::size_t side, float*
 }
 
 void fill_y_row(const UnitSlopes& slopes, double x, std::size_t side, float* row) {
-  const ConditionalSlopes conditional = conditional_at(slopes, x);
+  const ConditionalDistribution conditional = conditional_at(slopes, x);
   const double scale = scale_at(slopes, x) * slopes.mean_slope();
   for (std::size_t j = 0; j < side; ++j) {
     const auto folded = fold(column_u(j, side));
@@ -86,7 +86,7 @@ void fill_y(const UnitSlopes& slopes, LiteralTables& tables, const support::Work
   const std::size_t side = tables.side, half = (side + 1) / 2;
   const auto reached = [&](std::size_t i) {
     const double x = row_slope(slopes, i, side);
-    return std::isfinite(x) && ConditionalSlopes::reachable(slopes, x);
+    return std::isfinite(x) && ConditionalDistribution::reachable(slopes, x);
   };
   std::size_t first = 0;
   while (first + 1 < half && !reached(first)) ++first;
@@ -163,7 +163,7 @@ LiteralErrors measure_literal(const UnitSlopes& slopes,
   std::vector<LiteralErrors> rows(places.size());
   support::parallel_for(rows.size(), workers, [&](std::size_t i) {
     const double theta = places[i] * kRightAngle;
-    const VisibleSlopes visible = visible_at(slopes, theta);
+    const MarginalDistribution visible = visible_at(slopes, theta);
     const auto law = [&](const Probability<double>& u) {
       const double x = sampler.sample_x(theta, u.u) / slopes.mean_slope();
       return visible.cdf(std::min(std::asinh(x), visible.farthest()));

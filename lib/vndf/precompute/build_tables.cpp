@@ -11,7 +11,7 @@
 #include "vndf/precompute/make_curve.h"
 #include "vndf/precompute/marginal_map.h"
 #include "vndf/precompute/measure_certificate.h"
-#include "vndf/precompute/quantile_rows.h"
+#include "vndf/precompute/rows.h"
 
 namespace vndf::precompute {
 namespace {

@@ -44,12 +44,12 @@ ConditionalScale<double> plain_scale(const UnitSlopes& slopes) {
   return std::isfinite(r) ? ConditionalScale<double>{r * r, -1} : ConditionalScale<double>{1, 1};
 }
 
-bool ConditionalSlopes::reachable(const UnitSlopes& slopes, double x) {
+bool ConditionalDistribution::reachable(const UnitSlopes& slopes, double x) {
   return x < slopes.support() && slopes.density(x).value > kSmallestDensity;
 }
 
-ConditionalSlopes::ConditionalSlopes(const UnitSlopes& slopes, double x,
-                                     const ConditionalScale<double>& scale)
+ConditionalDistribution::ConditionalDistribution(const UnitSlopes& slopes, double x,
+                                                 const ConditionalScale<double>& scale)
     : slopes_(slopes), bounded_(std::isfinite(slopes.support())), x_(x), scale_(scale.at({x, 1})) {
   // The width over which the density falls off, in units of the scale, 1 where it does not fall; or
   // x, where a cusp of p22 at the centre is rounded off.
@@ -76,7 +76,7 @@ ConditionalSlopes::ConditionalSlopes(const UnitSlopes& slopes, double x,
 }
 
 /// The integral beyond the last panel, to infinity.
-double ConditionalSlopes::rest() {
+double ConditionalDistribution::rest() {
   thread_local boost::math::quadrature::exp_sinh<double> half_line;
   const double last = edge_.back();
   double error = 0;
@@ -87,7 +87,7 @@ double ConditionalSlopes::rest() {
 }
 
 /// 0 and the places at which the density along y jumps or has a kink.
-std::vector<double> ConditionalSlopes::breaks_in_y() const {
+std::vector<double> ConditionalDistribution::breaks_in_y() const {
   std::vector<double> places{0};
   for (const double r : slopes_.distribution().breaks()) {
     const double radius = r / slopes_.mean_slope();
@@ -96,7 +96,7 @@ std::vector<double> ConditionalSlopes::breaks_in_y() const {
   return places;
 }
 
-std::vector<double> ConditionalSlopes::panel_edges(double width) const {
+std::vector<double> ConditionalDistribution::panel_edges(double width) const {
   const auto breaks = breaks_in_y();
   const double end = bounded_ ? breaks.back() : kInfinity;
   std::vector<double> edges;
@@ -118,27 +118,27 @@ std::vector<double> ConditionalSlopes::panel_edges(double width) const {
   return edges;
 }
 
-double ConditionalSlopes::density(double y) const {
+double ConditionalDistribution::density(double y) const {
   const double s = y * scale_;
   return slopes_.p22(std::sqrt(x_ * x_ + s * s));
 }
 
-double ConditionalSlopes::partial(double low, double high) const {
+double ConditionalDistribution::partial(double low, double high) const {
   return boost::math::quadrature::gauss<double, 10>::integrate(
       [this](double y) { return density(y); }, low, high);
 }
 
-std::size_t ConditionalSlopes::panel_of(double y) const {
+std::size_t ConditionalDistribution::panel_of(double y) const {
   const auto above = std::upper_bound(edge_.begin(), edge_.end() - 1, y);
   return static_cast<std::size_t>(above - edge_.begin()) - 1;
 }
 
-std::size_t ConditionalSlopes::panel_of_tail(double mass) const {
+std::size_t ConditionalDistribution::panel_of_tail(double mass) const {
   const auto below = std::lower_bound(tail_.begin(), tail_.end() - 1, mass, std::greater<>());
   return std::max<std::size_t>(1, static_cast<std::size_t>(below - tail_.begin())) - 1;
 }
 
-Probability<double> ConditionalSlopes::cdf(double y) const {
+Probability<double> ConditionalDistribution::cdf(double y) const {
   // The smaller of the two masses is integrated, so that neither tail is a difference.
   const std::size_t k = panel_of(y);
   const bool last = k + 1 == edge_.size();
@@ -152,7 +152,7 @@ Probability<double> ConditionalSlopes::cdf(double y) const {
 
 /// The place in panel k beyond which lies the mass `tail`, by Hermite interpolation of y over the
 /// mass: good to some 1e-4 of the panel.
-double ConditionalSlopes::inverse_hermite(std::size_t k, double tail) const {
+double ConditionalDistribution::inverse_hermite(std::size_t k, double tail) const {
   const double mass = tail_[k] - tail_[k + 1], width = edge_[k + 1] - edge_[k];
   const double f = (tail_[k] - tail) / mass;
   // Slopes dy / df of more than three times the secant would make the curve turn back.
@@ -161,7 +161,7 @@ double ConditionalSlopes::inverse_hermite(std::size_t k, double tail) const {
   return edge_[k] + f * (m0 + f * (3 * width - 2 * m0 - m1 + f * (m0 + m1 - 2 * width)));
 }
 
-double ConditionalSlopes::quantile(const Probability<double>& p) const {
+double ConditionalDistribution::quantile(const Probability<double>& p) const {
   if (p.u == 0) return 0;
   if (p.complement == 0) return bounded_ ? edge_.back() : kInfinity;
   const double tail = p.complement * total();

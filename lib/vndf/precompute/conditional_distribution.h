@@ -19,7 +19,7 @@ namespace vndf::precompute {
 /// sqrt(R^2 - x^2), the largest y.
 ConditionalScale<double> plain_scale(const UnitSlopes& slopes);
 
-class ConditionalSlopes {
+class ConditionalDistribution {
  public:
   /// Whether slopes near `x` >= 0 have any mass in double precision. Where they have none, no
   /// sample ever lands and the conditional is not defined.
@@ -27,7 +27,8 @@ class ConditionalSlopes {
 
   /// Integrates the conditional density at a reachable slope `x` >= 0, panel by panel, with y in
   /// units of `scale`. `slopes` must outlive this object.
-  ConditionalSlopes(const UnitSlopes& slopes, double x, const ConditionalScale<double>& scale);
+  ConditionalDistribution(const UnitSlopes& slopes, double x,
+                          const ConditionalScale<double>& scale);
 
   /// The scale that y is in units of.
   double scale() const { return scale_; }

@@ -36,7 +36,7 @@ std::optional<double> quadratic_growth(const UnitSlopes& slopes) {
 
 std::vector<double> values_at(const UnitSlopes& slopes, double x,
                               const ConditionalScale<double>& scale) {
-  const ConditionalSlopes conditional(slopes, x, scale);
+  const ConditionalDistribution conditional(slopes, x, scale);
   std::vector<double> values;
   for (int k = 1; k < kProbabilities; ++k) {
     const auto p = conditional_column_inverse(static_cast<double>(k) / kProbabilities);
@@ -49,7 +49,7 @@ bool same_everywhere(const UnitSlopes& slopes, const ConditionalScale<double>& s
   const auto at_zero = values_at(slopes, 0, scale);
   for (const double place : kPlaces) {
     const double r = slopes.support(), x = std::isfinite(r) ? r * place / (1 + place) : place;
-    if (!ConditionalSlopes::reachable(slopes, x)) return false;
+    if (!ConditionalDistribution::reachable(slopes, x)) return false;
     const auto there = values_at(slopes, x, scale);
     for (std::size_t k = 0; k < there.size(); ++k)
       if (!(std::abs(there[k] - at_zero[k]) <= kSameConditional)) return false;
@@ -66,7 +66,7 @@ ConditionalShape conditional_shape(const UnitSlopes& slopes) {
   const bool bounded = std::isfinite(slopes.support());
   if (slopes.distribution().breaks().size() > (bounded ? 1 : 0)) return shape;
   const auto growth = bounded ? shape.scale.quadratic : quadratic_growth(slopes);
-  if (!growth || !ConditionalSlopes::reachable(slopes, 0) || !std::isfinite(slopes.p22(0)))
+  if (!growth || !ConditionalDistribution::reachable(slopes, 0) || !std::isfinite(slopes.p22(0)))
     return shape;
   const ConditionalScale<double> scale{shape.scale.constant, *growth};
   if (same_everywhere(slopes, scale)) shape = {scale, true};

@@ -2,28 +2,14 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <vector>
 
+#include "vndf/precompute/rows.h"
 #include "vndf/row_axis.h"
 #include "vndf/support/parallel.h"
 #include "vndf/table.h"
-#include "vndf/table_coordinates.h"
 
 namespace vndf::precompute {
-
-/// A table whose rows can be made at any base coordinate.
-struct RowSource {
-  /// Values of the row at a base coordinate, at the columns whose probabilities are `u`; empty
-  /// where no sample lands.
-  std::function<std::vector<double>(double base, const std::vector<Probability<double>>& u)> row;
-  /// Inverse of the column coordinate.
-  Probability<double> (*column_inverse)(double);
-  /// Largest base coordinate that matters: rows run from 0 to it.
-  double end = 1;
-  /// Base coordinates, in (0, end), at which the table has a kink.
-  std::vector<double> breaks = {};
-};
 
 struct TableLayout {
   std::size_t rows = 1024, columns = 1024;

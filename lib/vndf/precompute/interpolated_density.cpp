@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "vndf/precompute/make_curve.h"
-#include "vndf/precompute/unit_slopes.h"
 
 namespace vndf::precompute {
 namespace {

@@ -44,6 +44,15 @@ bool is_zero(const Segment& s) {
 
 }  // namespace
 
+std::vector<double> segment_ends(const distributions::SlopeDistribution& d, double mean_slope,
+                                 double end) {
+  std::vector<double> ends{0};
+  if (std::isinf(d.p22(0))) ends.push_back(kPoleSegment);
+  for (const double r : d.breaks()) ends.push_back(std::asinh(r / mean_slope));
+  if (std::isinf(d.support())) ends.push_back(std::max(end, ends.back() + 1));
+  return ends;
+}
+
 LogCurve<double> make_curve(const std::function<double(double a)>& log_f,
                             const std::vector<double>& ends, const CurveOptions& options,
                             const support::Workers& workers) {

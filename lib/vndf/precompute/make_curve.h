@@ -5,10 +5,20 @@
 #include <functional>
 #include <vector>
 
+#include "vndf/distributions/slope_distribution.h"
 #include "vndf/log_curve.h"
 #include "vndf/support/parallel.h"
 
 namespace vndf::precompute {
+
+/// Where the segment of a pole ends, in asinh(slope / mean_slope). Nodes crowd at the beginning of
+/// a segment in proportion to its length: among n of them a pole is followed from 0.01 / n^2 on.
+inline constexpr double kPoleSegment = 0.01;
+
+/// Ends of the segments of the curves of a distribution in asinh(slope / mean_slope): 0, that of a
+/// pole there, its breaks, and `end` unless it is bounded.
+std::vector<double> segment_ends(const distributions::SlopeDistribution& d, double mean_slope,
+                                 double end);
 
 struct CurveOptions {
   /// Nodes of each segment.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "vndf/precompute/asinh_slope.h"
 #include "vndf/precompute/bracketed_newton.h"
 
 namespace vndf::precompute {
@@ -52,15 +53,7 @@ double smooth_edge(const UnitSlopes& slopes, double farthest, double cotangent) 
 
 }  // namespace
 
-double asinh_of(const BoundedSlope<double>& slope) {
-  return std::log(slope.sigma / slope.complement);
-}
-
-BoundedSlope<double> bounded_from_asinh(double a) {
-  return {1 / (1 + std::exp(-a)), 1 / (1 + std::exp(a))};
-}
-
-VisibleSlopes::VisibleSlopes(const UnitSlopes& slopes, const BoundedSlope<double>& c)
+MarginalDistribution::MarginalDistribution(const UnitSlopes& slopes, const BoundedSlope<double>& c)
     : slopes_(slopes),
       farthest_(std::min(asinh_of(c), std::asinh(slopes.support()))),
       cotangent_(asinh_of(c)),
@@ -74,23 +67,23 @@ VisibleSlopes::VisibleSlopes(const UnitSlopes& slopes, const BoundedSlope<double
   if (std::abs(whole - halves) > kHalvesDiffer * halves) smooth_from_ = middle;
 }
 
-double VisibleSlopes::lower_mass(double b) const {
+double MarginalDistribution::lower_mass(double b) const {
   return cosine_ * slopes_.q(b) + sine_ * slopes_.m(b);
 }
 
-double VisibleSlopes::upper_mass(double a) const {
+double MarginalDistribution::upper_mass(double a) const {
   if (a >= farthest_) return 0;
   if (a > smooth_from_) return gauss(a, farthest_);
   return cosine_ * (slopes_.q(a) - slopes_.q(farthest_)) -
          sine_ * (slopes_.m(a) - slopes_.m(farthest_));
 }
 
-double VisibleSlopes::gauss(double low, double high) const {
+double MarginalDistribution::gauss(double low, double high) const {
   return boost::math::quadrature::gauss<double, 10>::integrate(
       [this](double t) { return weighted_density(t); }, low, high);
 }
 
-double VisibleSlopes::weighted_density(double a) const {
+double MarginalDistribution::weighted_density(double a) const {
   // cos - sin x = sin (sinh(cotangent) - sinh(a)), as a product so that it keeps its digits.
   const double projection = std::isinf(cotangent_) ? cosine_
                                                    : 2 * sine_ * std::cosh((cotangent_ + a) / 2) *
@@ -98,7 +91,7 @@ double VisibleSlopes::weighted_density(double a) const {
   return projection * slopes_.p_da(a);
 }
 
-Probability<double> VisibleSlopes::cdf(double a) const {
+Probability<double> MarginalDistribution::cdf(double a) const {
   if (a > 0) {
     const double complement = upper_mass(a) / norm_;
     return {1 - complement, complement};
@@ -107,7 +100,7 @@ Probability<double> VisibleSlopes::cdf(double a) const {
   return {u, 1 - u};
 }
 
-double VisibleSlopes::quantile(const Probability<double>& u, double guess) const {
+double MarginalDistribution::quantile(const Probability<double>& u, double guess) const {
   if (u.u == 0) return -kInfinity;
   if (u.complement == 0) return farthest_;
   // Both branches solve for the logarithm of a mass: the tails are close to straight lines there.

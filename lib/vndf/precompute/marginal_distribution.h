@@ -10,11 +10,11 @@
 
 namespace vndf::precompute {
 
-class VisibleSlopes {
+class MarginalDistribution {
  public:
   /// Seen from cotangent `c` >= 0, infinite (normal incidence) and 0 (grazing) included. `slopes`
   /// must outlive this object.
-  VisibleSlopes(const UnitSlopes& slopes, const BoundedSlope<double>& c);
+  MarginalDistribution(const UnitSlopes& slopes, const BoundedSlope<double>& c);
 
   /// asinh of the largest visible slope: that of c, infinite at normal incidence, or the largest
   /// slope of the distribution.
@@ -36,9 +36,5 @@ class VisibleSlopes {
   const UnitSlopes& slopes_;
   double farthest_, cotangent_, cosine_, sine_, norm_, smooth_from_;
 };
-
-/// The logit of sigma is the asinh of the slope: sigma = 1 / (1 + exp(-a)).
-double asinh_of(const BoundedSlope<double>& slope);
-BoundedSlope<double> bounded_from_asinh(double a);
 
 }  // namespace vndf::precompute

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "vndf/differences.h"
+#include "vndf/precompute/asinh_slope.h"
 #include "vndf/precompute/bracketed_newton.h"
-#include "vndf/precompute/marginal_distribution.h"
 #include "vndf/table_coordinates.h"
 
 namespace vndf::precompute {

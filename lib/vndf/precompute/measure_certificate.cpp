@@ -71,7 +71,7 @@ struct Judge {
   TableErrors marginal_row(const Direction& w, std::size_t index) const {
     const BoundedSlope<float> c = bounded_cotangent(w.z, w.s);
     const BoundedSlope<double> exact = bounded_cotangent<double>(w.z, w.s);
-    const VisibleSlopes visible(slopes, exact);
+    const MarginalDistribution visible(slopes, exact);
     // From the bounded form, for the slope itself may be beyond the range of single precision.
     const auto cdf_of = [&](const auto& x) {
       const double sigma = x.sigma;
@@ -93,7 +93,7 @@ struct Judge {
     const auto bounded = bounded_from_sigma(static_cast<float>(bounded_from_slope(x).sigma));
     const BoundedSlope<double> exact = bounded_from_sigma<double>(bounded.sigma);
     const SlopeTables& tables = sampler.tables();
-    const ConditionalSlopes conditional(
+    const ConditionalDistribution conditional(
         slopes, exact.slope(), {tables.conditional_constant, tables.conditional_quadratic});
     const auto cdf_of = [&](auto sign, auto v) {
       const double y = conditional_value_inverse(double{v}).slope();

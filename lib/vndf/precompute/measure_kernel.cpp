@@ -145,7 +145,7 @@ class KernelUnits {
 class MarginalRow final : public RowMap {
  public:
   MarginalRow(const VndfTables& tables, const KernelUnits& units, const VndfDirection& direction,
-              const VisibleSlopes& visible)
+              const MarginalDistribution& visible)
       : tables_(tables), units_(units), direction_(direction), visible_(visible) {}
 
   Probability<double> given(const Probability<double>& u) const override {
@@ -178,7 +178,7 @@ class MarginalRow final : public RowMap {
   const VndfTables& tables_;
   const KernelUnits& units_;
   const VndfDirection& direction_;
-  const VisibleSlopes& visible_;
+  const MarginalDistribution& visible_;
 };
 
 /// Where a slope x is drawn.
@@ -192,7 +192,7 @@ class ConditionalRow final : public RowMap {
  public:
   /// `scale` is that of y, over that of `conditional`.
   ConditionalRow(const VndfTables& tables, const SlopePlace& place, double scale,
-                 const ConditionalSlopes& conditional)
+                 const ConditionalDistribution& conditional)
       : tables_(tables), place_(place), scale_(scale), conditional_(conditional) {}
 
   Probability<double> given(const Probability<double>& u) const override {
@@ -221,7 +221,7 @@ class ConditionalRow final : public RowMap {
   const VndfTables& tables_;
   const SlopePlace& place_;
   double scale_;
-  const ConditionalSlopes& conditional_;
+  const ConditionalDistribution& conditional_;
 };
 
 /// Everything that judging needs, made once.
@@ -244,7 +244,8 @@ struct Judge {
   VndfDirection at(const Direction& w) const { return vndf_at(tables, {w.s, 0, w.z}, 1, 1); }
 
   TableErrors marginal_row(const Direction& w, std::size_t index) const {
-    const VisibleSlopes visible(slopes, bounded_cotangent(double{w.z}, w.s * slopes.mean_slope()));
+    const MarginalDistribution visible(slopes,
+                                       bounded_cotangent(double{w.z}, w.s * slopes.mean_slope()));
     const VndfDirection stretched = at(w);
     return judge_row(MarginalRow(tables, units, stretched, visible),
                      {std::atan2(w.s, w.z) / kDegree, marginal_column_inverse<double>, kNominalSize,
@@ -268,7 +269,7 @@ struct Judge {
   TableErrors conditional_row(const SlopePlace& place, std::size_t index) const {
     const KernelSlope slope{sigma_at(place)};
     const double x = std::abs(units.x(slope));
-    const ConditionalSlopes conditional(slopes, x, plain_scale(slopes));
+    const ConditionalDistribution conditional(slopes, x, plain_scale(slopes));
     return judge_row(
         ConditionalRow(tables, place, units.scale(slope) / conditional.scale(), conditional),
         {x * slopes.mean_slope(), conditional_u2, kNominalSize, edges_of_keys()}, index);

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "vndf/precompute/fill_table.h"
+#include "vndf/precompute/rows.h"
 #include "vndf/row_axis.h"
 #include "vndf/support/parallel.h"
 

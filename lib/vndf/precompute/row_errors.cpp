@@ -103,7 +103,7 @@ TableErrors judge_rows(std::size_t count, const support::Workers& workers,
 
 bool judges_conditional(const UnitSlopes& slopes, double x, float sigma) {
   if (sigma == 0.5f && std::isinf(slopes.p22(0))) return false;
-  return slopes.m(std::asinh(x)) > kSmallestTail && ConditionalSlopes::reachable(slopes, x);
+  return slopes.m(std::asinh(x)) > kSmallestTail && ConditionalDistribution::reachable(slopes, x);
 }
 
 }  // namespace vndf::precompute

@@ -64,15 +64,6 @@ void require_range(const UnitSlopes& slopes) {
 
 }  // namespace
 
-std::vector<double> segment_ends(const distributions::SlopeDistribution& d, double mean_slope,
-                                 double end) {
-  std::vector<double> ends{0};
-  if (std::isinf(d.p22(0))) ends.push_back(kPoleSegment);
-  for (const double r : d.breaks()) ends.push_back(std::asinh(r / mean_slope));
-  if (std::isinf(d.support())) ends.push_back(std::max(end, ends.back() + 1));
-  return ends;
-}
-
 UnitSlopes::UnitSlopes(const distributions::SlopeDistribution& d, const support::Workers& workers)
     : distribution_(&d),
       mass_(distributions::slope_mass(d).value),

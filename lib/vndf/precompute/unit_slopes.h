@@ -5,7 +5,6 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "vndf/distributions/slope_distribution.h"
 #include "vndf/distributions/slope_integrals.h"
@@ -25,15 +24,6 @@ inline constexpr double kMixtureCurveError = 1e-10;
 /// The same beyond the last node, sinh(20) = 2.4e8, per unit of asinh: the rounding of the tangent
 /// along which a power tail is continued.
 inline constexpr double kContinuationError = 2e-11;
-
-/// Where the segment of a pole ends, in asinh(slope / mean_slope). Nodes crowd at the beginning of
-/// a segment in proportion to its length: among n of them a pole is followed from 0.01 / n^2 on.
-inline constexpr double kPoleSegment = 0.01;
-
-/// Ends of the segments of the curves of a distribution in asinh(slope / mean_slope): 0, that of a
-/// pole there, its breaks, and `end` unless it is bounded.
-std::vector<double> segment_ends(const distributions::SlopeDistribution& d, double mean_slope,
-                                 double end);
 
 class UnitSlopes {
  public:

@@ -48,11 +48,12 @@ TEST_CASE("the exact density has the mass 1 where all slopes are in the picture"
 }
 
 TEST_CASE("columns of the exact density are steps of the marginal CDF") {
-  // The CDF comes from integrals over one variable (visible_slopes.h) and knows no cells.
+  // The CDF comes from integrals over one variable (marginal_distribution.h) and knows no cells.
   const SamplerUnderTest beckmann = claim_of("beckmann", SampledNormals::visible_smith);
   const auto& slopes = beckmann.exact->unit_slopes();
   const Configuration c = at_angles(60, 0, 1, 1);
-  const precompute::VisibleSlopes visible(slopes, StretchedFrame(*beckmann.exact, c).cotangent());
+  const precompute::MarginalDistribution visible(slopes,
+                                                 StretchedFrame(*beckmann.exact, c).cotangent());
   constexpr std::size_t kCells = 41;
   constexpr double kHalfWidth = 5, kSide = 2 * kHalfWidth / kCells;  // exp(-25) lies beyond
   const Grid exact = exact_slope_density(beckmann, c, kHalfWidth, kCells);

@@ -13,7 +13,7 @@
 namespace vndf::validate {
 namespace {
 
-using precompute::VisibleSlopes;
+using precompute::MarginalDistribution;
 
 // Larger errors than this are not small: the derivative is then taken over this.
 constexpr double kLargestStep = 1e-3;
@@ -73,7 +73,7 @@ Difference compare(const SamplerUnderTest& sampler, const Configuration& c, std:
 Vec3<double> exact_normal(const ExactSlopes& exact, const Configuration& c, double u1, double u2) {
   const StretchedFrame frame(exact, c);
   const auto& slopes = exact.unit_slopes();
-  const double a = VisibleSlopes(slopes, frame.cotangent()).quantile({u1, 1 - u1}, 0);
+  const double a = MarginalDistribution(slopes, frame.cotangent()).quantile({u1, 1 - u1}, 0);
   const double x = std::sinh(a);
   const double y = ExactConditional::is_checked(slopes, x)
                        ? ExactConditional(slopes, x).quantile({u2, 1 - u2})

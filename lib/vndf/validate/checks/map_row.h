@@ -54,7 +54,7 @@ class MapRow {
   const SamplerUnderTest& sampler_;
   Configuration configuration_;
   StretchedFrame frame_;
-  precompute::VisibleSlopes visible_;
+  precompute::MarginalDistribution visible_;
 };
 
 }  // namespace vndf::validate

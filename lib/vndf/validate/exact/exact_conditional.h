@@ -19,7 +19,7 @@ class ExactConditional {
   /// Whether the conditional at x is worth checking.
   static bool is_checked(const precompute::UnitSlopes& slopes, double x) {
     return std::isfinite(x) && slopes.m(std::asinh(std::abs(x))) > kSmallestMass &&
-           precompute::ConditionalSlopes::reachable(slopes, std::abs(x));
+           precompute::ConditionalDistribution::reachable(slopes, std::abs(x));
   }
 
   /// Some 0.1 ms. `slopes` must outlive this object.
@@ -41,7 +41,7 @@ class ExactConditional {
   }
 
  private:
-  precompute::ConditionalSlopes slopes_;
+  precompute::ConditionalDistribution slopes_;
   bool bounded_;
 };
 

@@ -124,7 +124,7 @@ class ExactDistribution {
   StretchedFrame frame_;
   double cosine_, sine_, area_;
   std::unique_ptr<const RadialDistribution> own_radii_;
-  precompute::VisibleSlopes visible_;
+  precompute::MarginalDistribution visible_;
 };
 
 }  // namespace vndf::validate

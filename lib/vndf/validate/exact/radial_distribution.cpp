@@ -7,10 +7,12 @@
 #include <numbers>
 
 #include "vndf/log_curve.h"
+#include "vndf/precompute/asinh_slope.h"
 
 namespace vndf::validate {
 namespace {
 
+using precompute::asinh_of;
 using precompute::UnitSlopes;
 
 constexpr std::size_t kPanels = 4096;   // of each segment, crowded at both of its ends
@@ -38,10 +40,6 @@ std::vector<double> smooth_ends(const UnitSlopes& slopes, double cotangent) {
   for (const double e : ends)
     if (e > kept.back() && e <= end) kept.push_back(e);
   return kept;
-}
-
-double asinh_of(const BoundedSlope<double>& s) {
-  return std::log(s.sigma / s.complement);
 }
 
 template <unsigned Points, class F>

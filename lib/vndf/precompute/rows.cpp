@@ -1,10 +1,11 @@
 // The rows of the two tables.
-#include "vndf/precompute/quantile_rows.h"
+#include "vndf/precompute/rows.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "vndf/precompute/asinh_slope.h"
 #include "vndf/precompute/conditional_distribution.h"
 #include "vndf/precompute/marginal_distribution.h"
 
@@ -24,7 +25,7 @@ using Probabilities = std::vector<Probability<double>>;
 
 std::vector<double> marginal_values(const UnitSlopes& slopes, const MonotoneMap& map, double base,
                                     const Probabilities& u) {
-  const VisibleSlopes visible(slopes, marginal_base_inverse(base));
+  const MarginalDistribution visible(slopes, marginal_base_inverse(base));
   std::vector<double> values;
   double a = -1;
   for (const auto& p : u) {
@@ -41,8 +42,8 @@ std::vector<double> conditional_values(const UnitSlopes& slopes,
                                        const Probabilities& p) {
   const double largest = std::min(kLargestSlope, slopes.support() * kInsideSupport);
   const double x = std::min(conditional_base_inverse(base), largest);
-  if (!ConditionalSlopes::reachable(slopes, x)) return {};
-  const ConditionalSlopes conditional(slopes, x, scale);
+  if (!ConditionalDistribution::reachable(slopes, x)) return {};
+  const ConditionalDistribution conditional(slopes, x, scale);
   std::vector<double> values;
   for (const auto& at : p)
     values.push_back(conditional_value(bounded_from_slope(conditional.quantile(at))));
