@@ -1,5 +1,5 @@
-# find_package(vndf): targets vndf::vndf, vndf::batch, vndf::io, vndf::precompute and
-# vndf::validate. FindHDF5 needs C enabled.
+# find_package(vndf) gives the targets that lib/CMakeLists.txt lists, all but vndf::bench. FindHDF5
+# needs the language C, which a C++ project may not have enabled.
 enable_language(C)
 include(CMakeFindDependencyMacro)
 find_dependency(Threads)

@@ -1,5 +1,7 @@
-# Configures, builds and runs the consumer project in one WAY: find_package (on an installed copy of
-# BUILD) or add_subdirectory (on SOURCE).
+# A renderer's project uses the library in one WAY, and its programs run:
+#   find_package      a CMake project with an installed copy of BUILD
+#   add_subdirectory  a CMake project with SOURCE inside
+#   compiler          the COMPILER alone with an installed copy of BUILD, no CMake package
 set(work ${BUILD}/consumer-${WAY})
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE status)
@@ -9,13 +11,21 @@ function(run)
 endfunction()
 
 file(REMOVE_RECURSE ${work})
-set(options -G ${GENERATOR} -D CONSUMER_WAY=${WAY} -D VNDF_SOURCE=${SOURCE}
-            -D CMAKE_BUILD_TYPE=${CONFIG})
-if(WAY STREQUAL "find_package")
+if(NOT WAY STREQUAL "add_subdirectory")
   run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${work}/installed)
-  list(APPEND options -D CMAKE_PREFIX_PATH=${work}/installed)
 endif()
-run(${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer -B ${work}/build ${options})
+
+if(WAY STREQUAL "compiler")
+  file(GLOB_RECURSE library ${work}/installed/libvndf.a)
+  run(${COMPILER} -std=c++20 -I ${work}/installed/include ${SOURCE}/tests/consumer/runtime_only.cpp
+      ${library} -o ${work}/runtime_only)
+  run(${work}/runtime_only)
+  return()
+endif()
+
+run(${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer -B ${work}/build -G ${GENERATOR}
+    -D CONSUMER_WAY=${WAY} -D VNDF_SOURCE=${SOURCE} -D CMAKE_BUILD_TYPE=${CONFIG}
+    -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_PREFIX_PATH=${work}/installed)
 run(${CMAKE_COMMAND} --build ${work}/build --parallel)
 run(${work}/build/runtime_only)
 run(${work}/build/own_distribution ${work}/student-t.vndf)

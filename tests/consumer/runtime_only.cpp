@@ -1,5 +1,8 @@
-// Links the runtime alone: tables made in memory, no file library.
-#include "vndf/tabulated_sampler.h"
+// Needs the runtime library alone: the tables are made in memory, and no file library is linked.
+#include <vndf/bsdf/dielectric_bsdf.h>
+#include <vndf/tabulated_sampler.h>
+
+#include <vector>
 
 int main() {
   const std::vector<float> rows{0, 0.25f, 0.5f, 0.75f, 1, 0, 0.25f, 0.5f, 0.75f, 1};
@@ -13,6 +16,6 @@ int main() {
                                                            .marginal_map = {{0, 1}, {1, 1}},
                                                            .log_ndf = curve,
                                                            .log_backfacing = curve}));
-  const auto wm = sampler.sample({0, 0, 1}, {1, 1}, 0.5f, 0.5f);
-  return wm.z > 0 ? 0 : 1;
+  const vndf::DielectricBsdf glass(sampler, {1, 1}, 1.5f);
+  return glass.sample({0, 0, 1}, 0.5f, 0.5f, 0.5f).weight > 0 ? 0 : 1;
 }
