@@ -1,6 +1,9 @@
 // Specifications of distributions as people type them:
-//   ggx | student-t:gamma=2.5 | annulus:inner=0.5
-//   mixture:0.7*ggx+0.3*beckmann@0.2       WEIGHT*FAMILY[:NAME=NUMBER,...][@ROUGHNESS] + ...
+//
+//     ggx
+//     student-t:gamma=2.5
+//     mixture:0.7*ggx+0.3*beckmann@0.2    WEIGHT*FAMILY[:NAME=NUMBER,...][@ROUGHNESS] + ...
+//
 // Spaces around the parts are allowed. family_list.h has the names, parameters and defaults.
 #pragma once
 

@@ -1,0 +1,2 @@
+# The links of our Markdown pages to headers lead to the HTML pages of these headers.
+s|](\(\.\./\)*\(lib/\)\{0,1\}\(vndf/[a-z0-9_/]*\.h\))|](@ref \3)|g
