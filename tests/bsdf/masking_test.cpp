@@ -91,6 +91,32 @@ TEST_CASE("height-correlated reflection is 1 / (1 + Lambda_i + Lambda_o)") {
             Approx(1 / (1 + i + o)).epsilon(1e-14));
 }
 
+TEST_CASE("G2 / G1 is right to kShadowingRoundings for given G1") {
+  const auto check = [](auto one) {
+    using T = decltype(one);
+    const double bound = kShadowingRoundings * double{std::numeric_limits<T>::epsilon()};
+    RandomInputs random(2);
+    for (int i = 0; i < 20000; ++i) {
+      const T gi = static_cast<T>(1 - random.uniform()), go = static_cast<T>(1 - random.uniform());
+      const long double a = gi, b = go;
+      const auto error = [](T value, long double exact) {
+        return std::abs(static_cast<double>(value - exact));
+      };
+      const long double correlated = b / (a + b - a * b);
+      CAPTURE(gi, go);
+      REQUIRE(error(SmithSeparable::shadowing_of_reflection(gi, go), b) == 0);
+      REQUIRE(error(SmithCorrelated::shadowing_of_reflection(gi, go), correlated) <=
+              bound * static_cast<double>(correlated));
+      REQUIRE(error(VCavityMasking::shadowing_of_reflection(gi, go), std::min(1.0L, b / a)) <=
+              bound);
+      REQUIRE(error(VCavityMasking::shadowing_of_transmission(gi, go),
+                    std::max(0.0L, a + b - 1) / a) <= bound);
+    }
+  };
+  check(1.0f);
+  check(1.0);
+}
+
 TEST_CASE("height-correlated transmission is the mean over heights of both visibilities") {
   boost::math::quadrature::tanh_sinh<double> integrator;
   for (const double i : kLambdas)

@@ -1,5 +1,7 @@
-// Euler's beta function B(a, b) = Gamma(a) Gamma(b) / Gamma(a + b) for a, b >= 1, of any size. The
-// standard library's may throw, and its gammas cancel or overflow for large arguments.
+// Euler's beta function B(a, b) = Gamma(a) Gamma(b) / Gamma(a + b) for a, b >= 1 of any size, which
+// correlated masking needs in transmission (masking.h). We do not use the standard library's
+// because it may throw, nor its gamma functions because their quotient overflows for large
+// arguments.
 #pragma once
 
 #include <array>
@@ -11,15 +13,16 @@ namespace vndf {
 /// Largest absolute error of stirling_excess(), in double precision.
 inline constexpr double kStirlingError = 2.1e-11;
 
-/// Largest relative error of beta_function() in double precision where the result is above 1e-100,
-/// nearly all of it from the three corrections. In single precision kBetaRoundings roundings for
-/// each unit of 1 + |log B|.
+/// Largest relative error of beta_function() in double precision where the result is above 1e-100.
+/// Nearly all of it comes from the three calls of stirling_excess().
 inline constexpr double kBetaError = 2e-11;
+/// Largest relative error of beta_function() in single precision, in roundings for each unit of
+/// 1 + |log B|.
 inline constexpr double kBetaRoundings = 4;
 
-/// log Gamma(z) - [(z - 1/2) log z - z + log(2 pi) / 2] for z >= 1: Stirling's correction, 1 / (12
-/// z) for large z. z times it is interpolated by a polynomial in 1 / z through the 11 Chebyshev
-/// points of [0, 1]. Maximum error: kStirlingError.
+/// Stirling's correction log Gamma(z) - [(z - 1/2) log z - z + log(2 pi) / 2] for z >= 1, which is
+/// about 1 / (12 z) for large z. The product of z and the correction is a polynomial in 1 / z,
+/// interpolated at the 11 Chebyshev points of [0, 1]. Maximum error: kStirlingError.
 template <class T>
 T stirling_excess(T z) noexcept {
   constexpr std::array<double, 11> kCoefficients{
@@ -34,10 +37,11 @@ T stirling_excess(T z) noexcept {
   return sum * w;
 }
 
-/// B(a, b) for finite a, b >= 1; 0 where it is below the range of T.
+/// B(a, b) for finite a, b >= 1; 0 where it is below the range of T. Maximum error: kBetaError in
+/// double and kBetaRoundings in single precision.
 template <class T>
 T beta_function(T a, T b) noexcept {
-  // Stirling's formula for the three gammas, its powers gathered so that none is large:
+  // Stirling's formula for the three gammas. Its powers are gathered so that none is large:
   // a^a / (a + b)^a = exp(-a log(1 + b / a)).
   const T excess = stirling_excess(a) + stirling_excess(b) - stirling_excess(a + b);
   const T powers = a * std::log1p(b / a) + b * std::log1p(a / b);

@@ -1,10 +1,11 @@
-// Fresnel's reflectance of a smooth facet for unpolarised light, F(wi, wm) of Heitz and d'Eon 2014,
-// as a function of cosine = wi.wm in [0, 1]. Both kinds are written so that nothing cancels but the
-// zero of Brewster's angle: with g = eta wo.wm,
+// Fresnel's reflectance of a smooth facet for unpolarised light, which is F(wi, wm) of Heitz and
+// d'Eon 2014, as a function of cosine = wi.wm in [0, 1]. The textbook quotients lose digits near
+// eta = 1 and at grazing incidence. We therefore use, with c = cosine and g = eta wo.wm,
 //
 //   r_s = (c - g) / (c + g),    r_p = r_s (c g - s^2) / (c g + s^2),    s^2 = 1 - c^2,
 //
-// Walter et al. 2007, equation 22, in other words. c - g = (1 - eta^2) / (c + g).
+// and c - g = (1 - eta^2) / (c + g), which is equation 22 of Walter et al. 2007 rearranged. Nothing
+// cancels in it except at Brewster's angle, where r_p is 0.
 #pragma once
 
 #include <algorithm>
@@ -17,16 +18,20 @@
 
 namespace vndf {
 
-/// Largest absolute error of either reflectance for indices in [0.1, 10]: kFresnelError, divided by
-/// g where g < 1, but at most kFresnelErrorAtCriticalAngle, 4 sqrt(epsilon).
+/// Largest absolute error of both reflectances for indices in [0.1, 10]. That of
+/// fresnel_dielectric() grows to kFresnelError / g where g < 1, but to no more than
+/// kFresnelErrorAtCriticalAngle.
 template <class T>
 inline constexpr T kFresnelError = T(64) * std::numeric_limits<T>::epsilon();
+/// Largest absolute error of fresnel_dielectric() near the critical angle, 4 sqrt(epsilon): there
+/// the reflectance has a vertical tangent.
 template <class T>
 inline constexpr T kFresnelErrorAtCriticalAngle = std::numeric_limits<T>::digits == 24 ? T(1.4e-3)
                                                                                        : T(6e-8);
 
-/// Reflectance of a dielectric, eta = n_o / n_i > 0: of light from outside where eta > 1, from
-/// inside where eta < 1, with 1 at total internal reflection. 0 at eta = 1, 1 at grazing otherwise.
+/// Reflectance of a dielectric with eta = n_o / n_i > 0, which is above 1 for light from outside
+/// and below 1 for light from inside. It is 1 at total internal reflection and 0 at eta = 1.
+/// Maximum error: kFresnelError.
 template <class T>
 T fresnel_dielectric(T cosine, T eta) noexcept {
   const T square = squared_far_cosine(cosine, eta);
@@ -39,17 +44,18 @@ T fresnel_dielectric(T cosine, T eta) noexcept {
   return std::min(T(1), T(0.5) * root_s * root_s * (T(1) + ratio * ratio));
 }
 
-/// Complex refractive index eta + i k of a metal over that of the side of wi; eta > 0, k >= 0.
+/// Complex refractive index eta + i k of a metal, divided by the index of the medium that wi is in.
+/// Valid: eta > 0, k >= 0.
 template <class T>
 struct ComplexIndex {
   T eta, k;
 };
 
-/// Reflectance of a conductor; that of a dielectric at k = 0.
+/// Reflectance of a conductor; at k = 0 it is that of a dielectric. Maximum error: kFresnelError.
 template <class T>
 T fresnel_conductor(T cosine, const ComplexIndex<T>& index) noexcept {
-  // a + i b = sqrt((eta + i k)^2 - s^2) takes the place of g. Of a and b the larger comes from the
-  // root, the other from a b = eta k.
+  // a + i b = sqrt((eta + i k)^2 - s^2) takes the place of g. The larger of a and b comes from the
+  // root and the other from a b = eta k, so that neither cancels.
   const T sine_square = (T(1) - cosine) * (T(1) + cosine);
   const T real = squared_far_cosine(cosine, index.eta) - index.k * index.k;
   const T half_imaginary = index.eta * index.k;

@@ -1,7 +1,7 @@
 // How a microfacet scatters light: the operators reflect and transmit of Heitz and d'Eon 2014
-// (section 2.2), their half vectors and their Jacobians. wi and wo both point away from the surface
-// and eta = n_o / n_i is the refractive index of the far side of the facet over that of the side of
-// wi (the paper's n is 1 / eta, which its printed root has unsquared).
+// (section 2.2), their half vectors and their Jacobians. wi and wo both point away from the
+// surface. eta = n_o / n_i is the refractive index beyond the facet over that on the side of wi. It
+// is 1 / n of the paper, whose printed root lacks the square of n.
 #pragma once
 
 #include <cmath>
@@ -12,35 +12,39 @@
 
 namespace vndf {
 
-/// Largest error of a component of reflect(), for unit vectors.
+/// Largest absolute error of a component of reflect() for unit vectors.
 template <class T>
 inline constexpr T kReflectError = T(4) * std::numeric_limits<T>::epsilon();
 
-/// Largest error of eta times a component of refract(), for eta in [0.1, 10]: kRefractError,
-/// divided by g = eta |wo.wm| where g < 1, but at most kRefractErrorAtCriticalAngle, 2
-/// sqrt(epsilon).
+/// Largest absolute error of eta times a component of refract() for eta in [0.1, 10]. It grows to
+/// kRefractError / g where g = eta |wo.wm| < 1, but to no more than kRefractErrorAtCriticalAngle.
 template <class T>
 inline constexpr T kRefractError = T(24) * std::numeric_limits<T>::epsilon();
+/// Largest absolute error of eta times a component of refract() near the critical angle,
+/// 2 sqrt(epsilon).
 template <class T>
 inline constexpr T kRefractErrorAtCriticalAngle = std::numeric_limits<T>::digits == 24 ? T(7e-4)
                                                                                        : T(3e-8);
 
-/// The direction into which a mirror with normal `wm`, facing either way, sends `wi`.
+/// The direction into which a mirror with the unit normal `wm` sends `wi`. The sign of wm does not
+/// matter. Maximum error: kReflectError.
 template <class T>
 Vec3<T> reflect(const Vec3<T>& wi, const Vec3<T>& wm) noexcept {
   const T scale = T(2) * dot(wi, wm);
   return {scale * wm.x - wi.x, scale * wm.y - wi.y, scale * wm.z - wi.z};
 }
 
-/// (eta wo.wm)^2 = eta^2 - 1 + (wi.wm)^2 by Snell's law, for cosine = wi.wm. Negative at total
-/// internal reflection. eta^2 - 1 in factors is exact to two roundings near eta = 1.
+/// (eta wo.wm)^2 = eta^2 - 1 + cosine^2 by Snell's law, where cosine = wi.wm. It is negative at
+/// total internal reflection.
 template <class T>
 T squared_far_cosine(T cosine, T eta) noexcept {
+  // In factors eta^2 - 1 keeps its digits near eta = 1.
   return (eta - T(1)) * (eta + T(1)) + cosine * cosine;
 }
 
-/// The direction into which `wi` is refracted through the facet `wm`, which may face either way;
-/// nothing at total internal reflection. Valid: eta > 0. Exactly -wi at eta = 1.
+/// The direction into which the facet `wm` refracts `wi`; nothing at total internal reflection. The
+/// sign of wm does not matter. At eta = 1 the result is exactly -wi. Valid: eta > 0. Maximum error:
+/// kRefractError.
 template <class T>
 std::optional<Vec3<T>> refract(const Vec3<T>& wi, const Vec3<T>& wm, T eta) noexcept {
   const T cosine = dot(wi, wm);
@@ -62,9 +66,9 @@ Vec3<T> reflection_half_vector(const Vec3<T>& wi, const Vec3<T>& wo) noexcept {
   return normalize_or_up(Vec3<T>{up * (wi.x + wo.x), up * (wi.y + wo.y), up * (wi.z + wo.z)});
 }
 
-/// The unit normal with wm.z >= 0 that refracts wi to wo, on opposite sides of the surface. There
-/// is such a facet only if wi.wm and wo.wm have opposite signs, which is the caller's to ask; at
-/// eta = 1 there is none.
+/// The unit normal with wm.z >= 0 that refracts wi to wo, on opposite sides of the surface. Such a
+/// facet exists only if wi.wm and wo.wm have opposite signs, which the caller must check, and never
+/// at eta = 1.
 template <class T>
 Vec3<T> transmission_half_vector(const Vec3<T>& wi, const Vec3<T>& wo, T eta) noexcept {
   const Vec3<T> h{wi.x + eta * wo.x, wi.y + eta * wo.y, wi.z + eta * wo.z};
@@ -72,24 +76,25 @@ Vec3<T> transmission_half_vector(const Vec3<T>& wi, const Vec3<T>& wo, T eta) no
   return normalize_or_up(Vec3<T>{up * h.x, up * h.y, up * h.z});
 }
 
-/// |d wo / d wm| of reflection at fixed wi, for the cosine wi.wm; its inverse is the paper's
-/// |d wm / d wo| = 1 / (4 |wi.wm|). A density of normals is divided by it.
+/// |d wo / d wm| of reflection at fixed wi, for the cosine wi.wm. Its inverse is the paper's
+/// |d wm / d wo| = 1 / (4 |wi.wm|). A density of normals divided by it is one of directions.
 template <class T>
 T reflection_jacobian(T cosine) noexcept {
   return T(4) * std::abs(cosine);
 }
 
-/// |d wo / d wm| of refraction at fixed wi, for the cosines wi.wm and wo.wm, of opposite signs; its
+/// |d wo / d wm| of refraction at fixed wi, for the cosines wi.wm and wo.wm of opposite signs. Its
 /// inverse is the paper's |d wm / d wo| = eta^2 |wo.wm| / (wi.wm + eta wo.wm)^2. At fixed wo,
-/// |d wi / d wm| is this with the cosines exchanged and 1 / eta. Infinite at the critical angle, 0
-/// at eta = 1, where every facet refracts wi to -wi.
+/// |d wi / d wm| is the same function with the cosines exchanged and 1 / eta. It is infinite at the
+/// critical angle and 0 at eta = 1, where every facet refracts wi to -wi.
 template <class T>
 T refraction_jacobian(T cosine_i, T cosine_o, T eta) noexcept {
   const T sum = cosine_i / eta + cosine_o;
   return sum * sum / std::abs(cosine_o);
 }
 
-/// Density of outgoing directions for a density of normals; 0 where the map has no inverse.
+/// Density of outgoing directions for a density of normals; 0 where the map between them has no
+/// inverse.
 template <class T>
 T outgoing_density(T normal_density, T jacobian) noexcept {
   return normal_density > T(0) && jacobian > T(0) ? normal_density / jacobian : T(0);

@@ -1,4 +1,4 @@
-// The Beckmann distribution in closed form at unit roughness: Gaussian slopes,
+// The Beckmann distribution in closed form at unit roughness. Its slopes are Gaussian,
 // p22(r) = exp(-r^2) / pi (Heitz and d'Eon 2014, supplemental 1, section 3).
 #pragma once
 
@@ -11,16 +11,17 @@
 
 namespace vndf {
 
+/// The Shape (smith.h) of Beckmann.
 struct BeckmannShape {
-  /// Largest relative error of density() in roundings of T, at slopes of at most 5 (1e-11 of the
-  /// normals exceed that): the exponent, up to 25, is rounded.
+  /// Largest relative error of density() in roundings of T at slopes of at most 5, which 1e-11 of
+  /// the normals exceed. It comes from the rounding of the exponent, which is up to 25.
   static constexpr double kDensityRoundings = 60;
-  /// Largest error of Lambda relative to 1 + Lambda, which is the relative error of G1, in
-  /// roundings of T.
+  /// Largest relative error of G1 in roundings of T, which is the error of Lambda relative to
+  /// 1 + Lambda.
   static constexpr double kLambdaRoundings = 4;
 
-  /// exp(-h2 / z^2) / (pi z^4), by one exponential so that neither factor leaves the range of T
-  /// alone.
+  /// exp(-h2 / z^2) / (pi z^4), with one exponential for both factors because each alone may leave
+  /// the range of T.
   template <class T>
   static T density(T h2, T z) {
     const T square = z * z;
@@ -28,7 +29,7 @@ struct BeckmannShape {
     return std::exp(-h2 / square - T(2) * std::log(square)) * std::numbers::inv_pi_v<T>;
   }
 
-  /// z Lambda = (s exp(-c^2) / sqrt(pi) - z erfc(c)) / 2, c = z / s = cot(theta).
+  /// z Lambda = (s exp(-c^2) / sqrt(pi) - z erfc(c)) / 2, where c = z / s = cot(theta).
   template <class T>
   static T backfacing_area(T z, T s) {
     const T c = z / s;
@@ -36,8 +37,8 @@ struct BeckmannShape {
     return std::max(T(0), area / T(2));
   }
 
-  /// The radius r that a slope exceeds with probability 1 - u, exp(-r^2) = 1 - u, along azimuth
-  /// `angle` in turns.
+  /// The slope along the azimuth `angle`, in turns, whose radius r another slope exceeds with
+  /// probability 1 - u = exp(-r^2).
   template <class T>
   static HomogeneousSlope<T> polar_slope(const Probability<T>& u, T angle) {
     const T r = u.u < T(0.5) ? std::sqrt(-std::log1p(-u.u)) : std::sqrt(-std::log(u.complement));

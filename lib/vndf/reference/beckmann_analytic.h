@@ -1,7 +1,8 @@
-// Visible Beckmann slopes by the analytic method of Heitz and d'Eon 2014, supplemental 1, Algorithm
-// 2. slope_x is drawn from one of three closed inverses, on x <= -cot(theta) by erf or by exp, on
-// |x| < cot(theta) by erf, the last with a swap of sign that spends u2; slope_y by erf from what is
-// left of u2. Defects of the method are kept and measured, not mended.
+// Visible Beckmann slopes by the analytic method of Heitz and d'Eon 2014 (supplemental 1, Algorithm
+// 2), for comparison. slope_x is drawn from one of three inverses in closed form: for
+// x <= -cot(theta) by erf or by exp, and for |x| < cot(theta) by erf with a swap of its sign that
+// uses up part of u2. slope_y is drawn by erf from the rest of u2. We keep and measure the defects
+// of the published method and do not repair them.
 #pragma once
 
 #include <algorithm>
@@ -15,13 +16,14 @@
 
 namespace vndf {
 
+/// The Method (smith.h) of BeckmannAnalytic.
 struct BeckmannAnalyticMethod {
-  /// The method takes a cosine (at unit roughness) above this for normal incidence. There normals
-  /// with slopes beyond cot(theta) >= 223 face away from wi; no number but u1 = 1 gives one.
+  /// The method treats a cosine (at unit roughness) above this as normal incidence. There normals
+  /// with slopes beyond cot(theta) >= 223 face away from wi, but only u1 = 1 gives one.
   static constexpr double kNormalIncidence = 0.99999;
-  /// Largest distance of the sampled law from the exact one, |CDF - u| of both slopes: at the edge
-  /// of that cone it is tan(theta) M(0); elsewhere, in float and in double, it is rounding, below
-  /// kError, which is what the test resolves.
+  /// Largest |CDF - u| of both slopes. At the edge of that cone it is kConeError, which is
+  /// tan(theta) M(0). Elsewhere it is rounding, in float and in double, and below kError, which is
+  /// the resolution of the test.
   static constexpr double kConeError = 1.26e-3, kError = 2e-5;
 
   template <class T>
@@ -38,7 +40,7 @@ struct BeckmannAnalyticMethod {
       const T x = sample_below(wi, erf_a, exp_a2, edge_mass, renormalised(u1.u, T(0), c));
       return homogeneous_slope(x, erf_inverse(T(2) * u2.u - T(1)));
     }
-    // x between -cot(theta) and cot(theta); erf_a rounded to 1 leaves them no other bound
+    // x between -cot(theta) and cot(theta), which must be enforced where erf_a is rounded to 1
     const T v = renormalised(u1.u, c, T(1));
     const T x = std::clamp(erf_inverse((T(2) * v - T(1)) * erf_a), -a, a);
     const T p = T(0.5) - x * wi.sin / (T(2) * wi.cos);
@@ -47,7 +49,7 @@ struct BeckmannAnalyticMethod {
     return homogeneous_slope(swap ? -x : x, erf_inverse(T(2) * rest - T(1)));
   }
 
-  /// x <= -cot(theta).
+  /// slope_x <= -cot(theta).
   template <class T>
   static T sample_below(const Incidence<T>& wi, T erf_a, T exp_a2, T edge_mass, T u) {
     const T w1 = wi.sin * edge_mass, w2 = wi.cos * (T(0.5) - T(0.5) * erf_a);
@@ -58,7 +60,8 @@ struct BeckmannAnalyticMethod {
   }
 };
 
-/// Not monotone: slope_x rises with u1 in each of three intervals, and u2 chooses its sign too.
+/// The map is not monotone: slope_x increases with u1 in each of three intervals, and u2 also
+/// chooses its sign.
 template <class T>
 using BeckmannAnalytic = VisibleSampler<T, BeckmannShape, BeckmannAnalyticMethod>;
 

@@ -1,10 +1,13 @@
-// The exact map for visible Beckmann slopes, slope_x from u1 and slope_y from u2: the referee for
-// Beckmann. Everything is evaluated in double precision.
+// The exact map for visible Beckmann slopes, slope_x from u1 and slope_y from u2, with which other
+// samplers of Beckmann are compared. Everything is evaluated in double precision.
 //
-// Marginal. V(x) = [cos F(x) + sin M(x)] / N with F = erfc(-x) / 2 and M = exp(-x^2) / (2
-// sqrt(pi)), and near u = 1   1 - V(x) = sin int_x^c (c - t) P(t) dt / N, c = cot(theta), P = 2 M
-// (Heitz and d'Eon 2014, equation 11; supplemental 1, section 3.2). Inverted by bracketed root
-// finding. Conditional: y = erf_inverse(2 u2 - 1).
+// Marginal distribution (Heitz and d'Eon 2014, equation 11; supplemental 1, section 3.2), inverted
+// by bracketed root finding:
+//
+//   V(x)     = [cos F(x) + sin M(x)] / N,           F = erfc(-x) / 2, M = exp(-x^2) / (2 sqrt(pi))
+//   1 - V(x) = sin int_x^c (c - t) P(t) dt / N,     c = cot(theta), P = 2 M, used near u = 1
+//
+// Conditional distribution: y = erf_inverse(2 u2 - 1).
 #pragma once
 
 #include <algorithm>
@@ -33,8 +36,8 @@ class VisibleBeckmannSlopes {
   /// 1 - V(x), x <= cot(theta).
   double upper(double x) const { return upper_mass(x) / norm_; }
 
-  /// x with V(x) = u: -infinity at u = 0 and cot(theta) at u = 1. Its error is that of the tail on
-  /// its side.
+  /// x with V(x) = u, which is -infinity at u = 0 and cot(theta) at u = 1. Maximum error: that of
+  /// lower() or upper(), whichever is smaller at x.
   double quantile(const Probability<double>& u) const {
     if (u.u == 0) return -std::numeric_limits<double>::infinity();
     if (u.complement == 0) return cotangent_;
@@ -58,18 +61,19 @@ class VisibleBeckmannSlopes {
   }
 
  private:
-  // erfc has no numbers beyond 27.3.
+  // Beyond 27.3 erfc is below the range of double.
   static constexpr double kFarthest = 28;
 
+  /// F(-x).
   static double q(double x) { return std::erfc(x) / 2; }
-  /// The rounding of x^2 would cost x^2 roundings.
+  /// M(x), corrected for the rounding of x^2, which would otherwise cost x^2 roundings.
   static double m(double x) {
     if (std::isinf(x)) return 0;
     const double square = x * x;
     return std::exp(-square) * (1 - std::fma(x, x, -square)) * std::numbers::inv_sqrtpi / 2;
   }
 
-  /// sin (c - x), with a single rounding however near x is to the edge.
+  /// sin (c - x), with a single rounding however close x is to c.
   double projection(double x) const { return std::fma(-x, wi_.sin, wi_.cos); }
   double density(double x) const { return projection(x) * 2 * m(x); }
   double lower_mass(double x) const { return wi_.cos * q(-x) + wi_.sin * m(x); }
@@ -77,14 +81,14 @@ class VisibleBeckmannSlopes {
   double upper_mass(double x) const {
     const double width = projection(x) / wi_.sin;
     if (width <= 0) return 0;
-    // Nearer than this the closed form cancels, and elsewhere by at most a factor of 40.
+    // Closer to c than this the closed form cancels. Elsewhere it loses a factor of at most 40.
     constexpr double kNear = 2;
     if (width * (1 + cotangent_) < kNear) return upper_mass_near(width);
     return wi_.cos * (q(x) - q(cotangent_)) - wi_.sin * (m(x) - m(cotangent_));
   }
 
-  /// sin int_0^width s P(c - s) ds by Gauss's rule of 10 points, exact to rounding where the
-  /// exponent varies by no more than 2 kNear.
+  /// sin int_0^width s P(c - s) ds by Gauss's rule of 10 points, which is exact to rounding as long
+  /// as the exponent of P varies by no more than 2 kNear.
   double upper_mass_near(double width) const {
     constexpr double kNodes[]{0.14887433898163121, 0.43339539412924719, 0.67940956829902441,
                               0.86506336668898451, 0.97390652851717172};
@@ -103,9 +107,10 @@ class VisibleBeckmannSlopes {
   double cotangent_, norm_;
 };
 
+/// The Method (smith.h) of BeckmannExact.
 struct BeckmannExactMethod {
-  /// Largest |CDF - u| of both slopes, u in [1e-12, 1 - 1e-12], theta from 0 to 90 degrees: in
-  /// double, and in float at azimuth 0, where the rounding of wi and of the normal is all of it.
+  /// Largest |CDF - u| of both slopes for u in [1e-12, 1 - 1e-12] and theta from 0 to 90 degrees,
+  /// in double, and in float at azimuth 0, where it is the rounding of wi and of the normal.
   static constexpr double kDoubleError = 1e-15, kFloatError = 2e-7;
 
   template <class T>

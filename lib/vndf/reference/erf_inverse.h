@@ -1,5 +1,5 @@
-// Inverses of erf and erfc: the quantile of a Gaussian slope, of density exp(-y^2) / sqrt(pi).
-// Standard library only.
+// Inverses of erf and erfc, which are the quantiles of a Gaussian slope of density
+// exp(-y^2) / sqrt(pi). The standard library has none, and the samplers need no other library.
 #pragma once
 
 #include <algorithm>
@@ -12,11 +12,11 @@ namespace vndf {
 
 /// Largest relative error of giles_erf_inverse() in double.
 inline constexpr double kGilesError = 1.3e-7;
-/// Where it ends: float has no numbers beyond.
+/// Largest w that giles_erf_inverse() accepts. A larger w does not occur in float.
 inline constexpr double kGilesEnd = 16;
 
-/// y with erf(y) = x, w = -log(1 - x^2) <= kGilesEnd (Giles 2012, "Approximating the erfinv
-/// function", single precision).
+/// y with erf(y) = x, given w = -log(1 - x^2) <= kGilesEnd (Giles 2012, "Approximating the erfinv
+/// function", the polynomials for single precision). Maximum error: kGilesError.
 template <class T>
 T giles_erf_inverse(T x, T w) {
   constexpr double kCentral[]{2.81022636e-08,  3.43273939e-07, -3.5233877e-06,
@@ -38,7 +38,7 @@ inline constexpr double kErfInverseError = 1e-15;
 /// Largest relative error of erf_inverse() in float.
 inline constexpr double kErfInverseFloatError = 4e-7;
 
-/// y with erf(y) = x, |x| <= 1/2.
+/// y with erf(y) = x for |x| <= 1/2. Maximum error: kErfInverseError.
 inline double erf_inverse_central(double x) {
   const double y = giles_erf_inverse(x, -std::log((1 - x) * (1 + x)));
   // Halley's method triples the digits of Giles's polynomial.
@@ -46,14 +46,14 @@ inline double erf_inverse_central(double x) {
   return y - newton / (1 + y * newton);
 }
 
-/// y >= 0 with erfc(y) = q: infinite at 0, and 0 for q >= 1. The mass erfc(y) errs by
-/// 2 y^2 kErfInverseError, relative.
+/// y >= 0 with erfc(y) = q, which is infinite at q = 0; 0 for q >= 1. Maximum error:
+/// kErfInverseError, hence 2 y^2 kErfInverseError of the mass erfc(y), relative.
 inline double erfc_inverse(double q) {
   if (q >= 1) return 0;
   if (q <= 0) return std::numeric_limits<double>::infinity();
   if (q > 0.5) return erf_inverse_central(1 - q);
-  // In the tail Newton's method on log(erfc), which is concave and nearly a parabola, doubles them;
-  // from the asymptotic form of erfc it takes 5 steps.
+  // In the tail Newton's method on log(erfc), which is concave and nearly a parabola, doubles the
+  // digits in each step. It needs 5 steps from the asymptotic form of erfc.
   constexpr int kSteps = 5;
   constexpr double kLastStep = 1e-9;
   const double w = -std::log(q * (2 - q));
@@ -69,7 +69,8 @@ inline double erfc_inverse(double q) {
   return y;
 }
 
-/// y with erf(y) = x; infinite, with its sign, at x = 1 and -1.
+/// y with erf(y) = x, which is infinite at x = 1 and -1. Maximum error: kErfInverseError, in float
+/// kErfInverseFloatError.
 template <class T>
 T erf_inverse(T x) {
   if (!(std::abs(x) < T(1))) return std::copysign(std::numeric_limits<T>::infinity(), x);

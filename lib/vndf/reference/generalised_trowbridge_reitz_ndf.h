@@ -1,5 +1,5 @@
-// All normals of the generalised Trowbridge-Reitz distribution, visible or not (Burley 2012,
-// appendix B): D = c (1 + (alpha^2 - 1) cos^2(theta))^-gamma. gamma = 2 is GGX.
+// Samples all normals of the generalised Trowbridge-Reitz distribution, visible or not (Burley
+// 2012, appendix B): D = c (1 + (alpha^2 - 1) cos^2(theta))^-gamma, which is GGX at gamma = 2.
 #pragma once
 
 #include <cmath>
@@ -13,24 +13,27 @@
 
 namespace vndf {
 
-/// Evaluated in double. Let L = log(alpha^2) and g = gamma - 1. The normalised mass below theta,
-/// with t = 1 + (alpha^2 - 1) cos^2(theta) = exp(w), is 1 - (exp(-g w) - 1) / (exp(-g L) - 1),
-/// and w runs from L at the pole to 0 at the horizon. gamma = 1 and alpha = 1 are limits, which a g
-/// or L too small to matter takes.
+/// The Profile (azimuthal_ndf.h) of the generalised Trowbridge-Reitz distribution, evaluated in
+/// double.
+///
+/// Let L = log(alpha^2), g = gamma - 1 and t = 1 + (alpha^2 - 1) cos^2(theta) = exp(w). The
+/// normalised mass below theta is 1 - (exp(-g w) - 1) / (exp(-g L) - 1), where w runs from L at the
+/// pole to 0 at the horizon. gamma = 1 and alpha = 1 are limits, which we reach by replacing a g or
+/// L of 0 by a number too small to matter.
 class GtrProfile {
  public:
-  /// Range of gamma.
+  /// The valid range of gamma.
   static constexpr double kMinGamma = 0.1, kMaxGamma = 10;
-  /// Largest |CDF - u| of azimuth and elevation in double and in float, which is rounding.
+  /// Largest |CDF - u| of azimuth and elevation in double and in float, all of it rounding.
   static constexpr double kError = 2e-14, kFloatError = 5e-7;
-  /// Largest error of G1, of which no closed form is known for general gamma: lambda() and g1() are
-  /// those of GGX at the same alpha, exact at gamma = 2 only. They mask too much above it and too
-  /// little below. Isotropic, alpha from 0.01 to 1, theta to 89 degrees, at gamma = 1, 1.5 and 3:
-  /// too much for anything that relies on masking being that of D.
+  /// Largest error of G1 at gamma = 1, 1.5 and 3, for isotropic alpha from 0.01 to 1 and theta up
+  /// to 89 degrees. No closed form is known for general gamma, so lambda() and g1() are those of
+  /// GGX at the same alpha, which are exact only at gamma = 2. They mask too much above it and too
+  /// little below it, and must not be used where masking has to be that of D.
   static constexpr double kMaskingErrorAt1 = 0.79, kMaskingErrorAt1_5 = 0.32,
                           kMaskingErrorAt3 = 0.25;
 
-  /// Throws std::invalid_argument for a gamma outside its range.
+  /// Throws std::invalid_argument for a gamma outside [kMinGamma, kMaxGamma].
   explicit GtrProfile(double gamma = 2) : g_(nonzero(gamma - 1)) {
     if (!(gamma >= kMinGamma && gamma <= kMaxGamma))
       throw std::invalid_argument("generalised Trowbridge-Reitz: gamma is " +
@@ -51,7 +54,7 @@ class GtrProfile {
     const double log_a2 = nonzero(std::log(double{a2}));
     const double scale = std::expm1(log_a2);
     const double rest = 1 - double{u.u};
-    // w, and L - w where w is near L, without cancellation
+    // w for the cosine and L - w for the sine, neither of which cancels
     const double w = std::log1p(rest * std::expm1(-g_ * log_a2)) / -g_;
     const double from_pole = std::log1p(double{u.u} * std::expm1(g_ * log_a2)) / g_;
     // cos^2 = (t - 1) / (alpha^2 - 1), sin^2 = (alpha^2 - t) / (alpha^2 - 1)
@@ -69,7 +72,8 @@ class GtrProfile {
   double g_;
 };
 
-/// GeneralisedTrowbridgeReitzNdf<T>(GtrProfile(gamma)).
+/// Draws from D(wm) wm.z, for example `GeneralisedTrowbridgeReitzNdf<float>(GtrProfile(1.5))`.
+/// Maximum error: GtrProfile::kError, in float kFloatError.
 template <class T>
 using GeneralisedTrowbridgeReitzNdf = AzimuthalNdf<T, GtrProfile, SmithSurface<T, GgxShape>>;
 

@@ -11,10 +11,11 @@
 
 namespace vndf {
 
+/// The Shape (smith.h) of GGX.
 struct GgxShape {
   /// Largest relative error of density() in roundings of T, at any slope.
   static constexpr double kDensityRoundings = 8;
-  /// Largest relative error of G1 in roundings of T. Lambda itself has it too: nothing cancels.
+  /// Largest relative error of G1 in roundings of T, and also of Lambda, because nothing cancels.
   static constexpr double kLambdaRoundings = 4;
 
   /// 1 / (pi (h2 + z^2)^2).
@@ -24,14 +25,14 @@ struct GgxShape {
     return std::numbers::inv_pi_v<T> / (square * square);
   }
 
-  /// z Lambda = (sqrt(s^2 + z^2) - z) / 2, without the cancellation.
+  /// z Lambda = (sqrt(s^2 + z^2) - z) / 2, evaluated without cancellation.
   template <class T>
   static T backfacing_area(T z, T s) {
     return s * (s / (z + std::hypot(z, s))) / T(2);
   }
 
-  /// The radius r that a slope exceeds with probability 1 - u, 1 / (1 + r^2) = 1 - u, along azimuth
-  /// `angle` in turns.
+  /// The slope along the azimuth `angle`, in turns, whose radius r another slope exceeds with
+  /// probability 1 - u = 1 / (1 + r^2).
   template <class T>
   static HomogeneousSlope<T> polar_slope(const Probability<T>& u, T angle) {
     const T r = std::sqrt(u.u), phi = T(2) * std::numbers::pi_v<T> * angle;

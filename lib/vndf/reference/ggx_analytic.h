@@ -1,6 +1,6 @@
-// Visible GGX slopes by the analytic method of Heitz and d'Eon 2014, supplemental 1, Algorithm 3:
-// slope_x from u1 by the root of a quadratic, slope_y from u2 by a rational fit. Defects of the
-// method are kept and measured, not mended.
+// Visible GGX slopes by the analytic method of Heitz and d'Eon 2014 (supplemental 1, Algorithm 3),
+// for comparison. slope_x is the root of a quadratic in u1, and slope_y a rational fit in u2. We
+// keep and measure the defects of the published method and do not repair them.
 #pragma once
 
 #include <algorithm>
@@ -12,21 +12,23 @@
 
 namespace vndf {
 
+/// The Method (smith.h) of GgxAnalytic.
 struct GgxAnalyticMethod {
-  /// The method takes a cosine (at unit roughness) above this for normal incidence. There normals
-  /// with slopes beyond cot(theta) >= 223 face away from wi, one in 2e5 at the edge.
+  /// The method treats a cosine (at unit roughness) above this as normal incidence. There normals
+  /// with slopes beyond cot(theta) >= 223 face away from wi, which is one in 2e5 at the edge.
   static constexpr double kNormalIncidence = 0.99999;
-  /// Largest distance of the sampled law of slope_x from the exact one, |CDF - u|: at the edge of
-  /// that cone it is tan(theta) M(0). Elsewhere, in double, it is below kError.
+  /// Largest |CDF - u| of slope_x. At the edge of that cone it is kConeError, which is
+  /// tan(theta) M(0). Elsewhere it is below kError in double.
   static constexpr double kConeError = 2.24e-3, kError = 1e-10;
-  /// In float the roots cancel where A is near 1 or -1: single u1 near G1 give slopes off by up to
-  /// kFloatMapError. They are rare: no more than kFloatError of all pairs (u1, u2) are off by more
-  /// than kFloatError.
+  /// In float the roots cancel where A is near 1 or -1, so that single u1 near G1 give slopes whose
+  /// |CDF - u| is up to kFloatMapError. Such u1 are rare: no more than the fraction kFloatError of
+  /// all pairs (u1, u2) have an error above kFloatError.
   static constexpr double kFloatMapError = 0.2, kFloatError = 1e-4;
-  /// Largest |CDF - u| of the rational fit of slope_y, at u2 = 0 and 1, where it ends at
-  /// |z| = |y| / sqrt(1 + x^2) = kFitEnd: the 1.1e-3 of the normals beyond are missing.
+  /// Largest |CDF - u| of the rational fit of slope_y. It occurs at u2 = 0 and 1, where the fit
+  /// ends at |z| = |y| / sqrt(1 + x^2) = kFitEnd, so that the 1.1e-3 of the normals beyond are
+  /// missing.
   static constexpr double kFitError = 5.5e-4, kFitEnd = 7.256;
-  /// Slopes are taken as visible up to this tangent of theta: beyond, the quadratic overflows.
+  /// Largest tan(theta) that the quadratic is solved for, because it overflows beyond.
   static constexpr double kFarthestTangent = 1e10;
 
   template <class T>
@@ -37,14 +39,14 @@ struct GgxAnalyticMethod {
     return homogeneous_slope(x, sample_z(u2.u) * std::sqrt(T(1) + x * x));
   }
 
-  /// Root of (B + x) / sqrt(1 + x^2) = A, A = 2 u1 / G1 - 1 and B = tan(theta).
+  /// The root x of (B + x) / sqrt(1 + x^2) = A, where A = 2 u1 / G1 - 1 and B = tan(theta).
   template <class T>
   static T sample_x(const Incidence<T>& wi, T u1) {
     constexpr T kJustBelowOne = T(1) - std::numeric_limits<T>::epsilon();
     const T b = std::min(wi.sin / wi.cos, static_cast<T>(kFarthestTangent));
     const T g1 = T(2) / (T(1) + std::sqrt(T(1) + b * b));
     T a = T(2) * u1 / g1 - T(1);
-    if (a * a == T(1)) a *= kJustBelowOne;  // where the quadratic is none
+    if (a * a == T(1)) a *= kJustBelowOne;  // where the equation is linear
     const T scale = T(1) / (a * a - T(1));
     const T middle = b * scale;
     const T half = std::sqrt(std::max(T(0), middle * middle - (a * a - b * b) * scale));
@@ -62,8 +64,9 @@ struct GgxAnalyticMethod {
   }
 };
 
-/// Outside the cone slope_x increases with u1, and slope_y with u2, in the frame of the stretched
-/// incident direction; within it u1 gives the length of the slope and u2 its azimuth.
+/// Outside the cone of kNormalIncidence slope_x increases with u1 and slope_y with u2 in the frame
+/// of the stretched incident direction. Inside it u1 gives the length of the slope and u2 its
+/// azimuth.
 template <class T>
 using GgxAnalytic = VisibleSampler<T, GgxShape, GgxAnalyticMethod>;
 

@@ -1,7 +1,7 @@
 // Visible GGX normals by spherical caps (Dupuy and Benyoub 2023, "Sampling Visible GGX Normals with
-// Spherical Caps"). At unit roughness GGX is a hemisphere of mirrors, and a parallel beam along wi
-// leaves them as directions uniform over the cap c.z > -wi.z of the unit sphere: the normal is
-// c + wi.
+// Spherical Caps"). At unit roughness the facets of GGX form a hemisphere of mirrors. It reflects a
+// parallel beam from wi into directions c that are uniform over the cap c.z > -wi.z of the unit
+// sphere, and the normal is the half vector c + wi.
 #pragma once
 
 #include <cmath>
@@ -12,16 +12,18 @@
 
 namespace vndf {
 
+/// The Method (smith.h) of GgxCaps.
 struct GgxCapsMethod {
-  /// In double the Jacobian of the map times pdf() is 1 within kJacobianError, where a finite
-  /// difference of it can be taken. In float no more than kFloatError of all pairs (u1, u2) give
-  /// slopes whose exact CDFs are off by more than kFloatError.
+  /// In double the Jacobian of the map times pdf() is 1 within kJacobianError wherever a finite
+  /// difference can measure it. In float no more than the fraction kFloatError of all pairs (u1,
+  /// u2) give slopes whose |CDF - u| is above kFloatError.
   static constexpr double kJacobianError = 1e-7, kFloatError = 2e-5;
 
   template <class T>
   static HomogeneousSlope<T> sample_slope(const Incidence<T>& wi, const Probability<T>& u1,
                                           const Probability<T>& u2) {
-    // The cap: height z = h - cos, from -cos to 1, of which 1 - z and 1 + z do not cancel.
+    // The height on the cap is z = h - cos, from -cos to 1. `above` is 1 + z and `below` is 1 - z,
+    // written so that neither cancels.
     const T h = u2.complement * (T(1) + wi.cos);
     const T below = u2.u * (T(1) + wi.cos);
     const T above = wi.sin * wi.sin / (T(1) + wi.cos) + h;
@@ -29,16 +31,18 @@ struct GgxCapsMethod {
     const T half = std::numbers::pi_v<T> * u1.u;
     if (h == T(0)) return rim(half);
     const T cos = std::cos(half), sin = std::sin(half);
-    // c + wi. Its x = horizontal cos(phi) + wi.sin cancels near the rim, where it must be small
-    // beside h: horizontal^2 = wi.sin^2 + h (2 wi.cos - h) gives wi.sin - horizontal = -gap.
+    // c + wi. Its x = horizontal cos(phi) + wi.sin cancels near the rim, where it must not err by
+    // more than a rounding of h. There horizontal^2 = wi.sin^2 + h (2 wi.cos - h) gives the
+    // difference wi.sin - horizontal = -gap without cancellation.
     const T sum = wi.sin + horizontal;
     const T gap = sum > T(0) ? h * (T(2) * wi.cos - h) / sum : T(0);
     const T x = T(2) * horizontal * cos * cos - gap, y = T(2) * horizontal * cos * sin;
     return {-x, -y, h};
   }
 
-  /// The rim of the cap, where c = (sin cos(phi), sin sin(phi), -cos) and c + wi, which may vanish,
-  /// is 2 sin cos(phi / 2) (cos(phi / 2), sin(phi / 2), 0).
+  /// The slope at the rim of the cap, where c = (sin cos(phi), sin sin(phi), -cos). The sum c + wi
+  /// is 2 sin cos(phi / 2) (cos(phi / 2), sin(phi / 2), 0), whose length may be 0 but not its
+  /// direction.
   template <class T>
   static HomogeneousSlope<T> rim(T half_phi) {
     const T cos = std::cos(half_phi), sin = std::sin(half_phi);
@@ -46,8 +50,8 @@ struct GgxCapsMethod {
   }
 };
 
-/// An exact sampler. The map is not the inverse of CDFs in x and y: slopes are monotone neither in
-/// u1 nor in u2.
+/// An exact sampler. Its map is not the inverse of the CDFs of slope_x and slope_y: no slope is
+/// monotone in u1 or u2.
 template <class T>
 using GgxCaps = VisibleSampler<T, GgxShape, GgxCapsMethod>;
 

@@ -1,13 +1,13 @@
-// The exact map for visible GGX slopes, slope_x from u1 and slope_y from u2: the referee for GGX.
-// Everything is evaluated in double precision.
+// The exact map for visible GGX slopes, slope_x from u1 and slope_y from u2, with which other
+// samplers of GGX are compared. Everything is evaluated in double precision.
 //
-// Marginal. With x = tan(psi), N V(x) of Heitz and d'Eon 2014 (supplemental 1, section 4.2) is
-// (cos + sin(psi + theta)) / 2 and N = (1 + cos) / 2, so that S = sin(psi + theta) is uniform on
-// [-cos, 1]. This is the height of the spherical cap of ggx_caps.h.
+// Marginal distribution: with x = tan(psi), N V(x) of Heitz and d'Eon 2014 (supplemental 1, section
+// 4.2) is (cos + sin(psi + theta)) / 2 and N is (1 + cos) / 2. Hence S = sin(psi + theta) is
+// uniform on [-cos, 1]; it is the height on the spherical cap of ggx_caps.h.
 //
-// Conditional. y = sqrt(1 + x^2) cot(beta / 2), of which both tails have the mass
-// q / 2 = (beta - sin(beta)) / (2 pi): the density of z = y / sqrt(1 + x^2) is
-// 2 / (pi (1 + z^2)^2). Kepler's equation at eccentricity 1.
+// Conditional distribution: z = y / sqrt(1 + x^2) has the density 2 / (pi (1 + z^2)^2). With
+// z = cot(beta / 2) each of the two tails beyond |z| has the mass q / 2 = (beta - sin(beta)) / (2
+// pi), which is Kepler's equation at eccentricity 1.
 #pragma once
 
 #include <algorithm>
@@ -20,13 +20,12 @@
 
 namespace vndf {
 
-/// The angle psi of a slope tan(psi), psi in [-90, 90] degrees.
+/// The angle psi in [-90, 90] degrees of a slope tan(psi).
 struct SlopeAngle {
   double sin, cos;
 };
 
-/// psi at which the visible marginal CDF is u. Maximum error: 4 roundings of the sine and the
-/// cosine, hence relative ones of the slope in the lower tail.
+/// The angle psi at which the visible marginal CDF is u. The errors are those of GgxExactMethod.
 inline SlopeAngle visible_ggx_angle(const Incidence<double>& wi, const Probability<double>& u) {
   if (u.u == 0) return {-1, 0};
   const double height = u.u * (1 + wi.cos);  // S + cos
@@ -40,7 +39,7 @@ inline SlopeAngle visible_ggx_angle(const Incidence<double>& wi, const Probabili
   return {sine, cosine};
 }
 
-/// beta - sin(beta), beta in [0, pi]. Maximum error: 8 roundings, relative.
+/// beta - sin(beta) for beta in [0, pi], without cancellation.
 inline double angle_minus_sine(double beta) {
   constexpr double kCancels = 1.5;
   if (beta > kCancels) return beta - std::sin(beta);
@@ -51,8 +50,8 @@ inline double angle_minus_sine(double beta) {
   return square * beta / 6 * sum;
 }
 
-/// tan of half the angle gamma in [0, pi] with gamma + sin(gamma) = pi v, 0 <= v <= 1/2. Maximum
-/// error: 4 roundings, relative.
+/// z = tan(gamma / 2) of the angle with gamma + sin(gamma) = pi v, for 0 <= v <= 1/2. It serves
+/// near z = 0.
 inline double conditional_ggx_middle(double v) {
   if (v == 0) return 0;
   const double mean = std::numbers::pi * v;
@@ -62,8 +61,8 @@ inline double conditional_ggx_middle(double v) {
   return std::tan(support::increasing_root(f, 0, 2, mean / 2) / 2);
 }
 
-/// tan(beta / 2) = 1 / z with beta - sin(beta) = pi q, 0 <= q <= 1/2. Maximum error: 8 roundings,
-/// relative.
+/// 1 / z = tan(beta / 2) of the angle with beta - sin(beta) = pi q, for 0 <= q <= 1/2. It serves in
+/// the tails.
 inline double conditional_ggx_tail(double q) {
   if (q == 0) return 0;
   const double mean = std::numbers::pi * q;
@@ -74,11 +73,12 @@ inline double conditional_ggx_tail(double q) {
   return std::tan(support::increasing_root(f, 0, std::numbers::pi, std::cbrt(6 * mean)) / 2);
 }
 
+/// The Method (smith.h) of GgxExact.
 struct GgxExactMethod {
-  /// Largest |CDF - u| of both slopes, u in [1e-12, 1 - 1e-12], theta from 0 to 90 degrees: in
-  /// double, and in float at azimuth 0, where the rounding of wi and of the normal is all of it.
+  /// Largest |CDF - u| of both slopes for u in [1e-12, 1 - 1e-12] and theta from 0 to 90 degrees,
+  /// in double, and in float at azimuth 0, where it is the rounding of wi and of the normal.
   static constexpr double kDoubleError = 1e-15, kFloatError = 2e-7;
-  /// Largest relative error of the mass beyond a slope, double, for lower tails of 1e-12 and more.
+  /// Largest relative error in double of the mass beyond a slope, for lower tails of 1e-12 or more.
   static constexpr double kTailError = 1e-12;
 
   template <class T>
@@ -86,7 +86,8 @@ struct GgxExactMethod {
                                           const Probability<T>& u2) {
     const SlopeAngle x = visible_ggx_angle(in_double(wi), in_double(u1));
     const auto folded = fold(in_double(u2));
-    // z = y / sqrt(1 + x^2) is p / q, 1 over a tangent in the tail, and sqrt(1 + x^2) is 1 / x.cos
+    // z = y / sqrt(1 + x^2) is p / q, where q is the tangent in the tail, and sqrt(1 + x^2) is
+    // 1 / x.cos.
     const bool tail = folded.p.complement <= 0.5;
     const double p = tail ? 1 : conditional_ggx_middle(folded.p.u);
     const double q = tail ? conditional_ggx_tail(folded.p.complement) : 1;

@@ -1,6 +1,7 @@
 // Visible GGX normals by the projected hemisphere (Heitz 2018, "Sampling the GGX Distribution of
-// Visible Normals"; proof by Engstad). At unit roughness GGX is a hemisphere, seen from wi as a
-// half disk and a half ellipse: a point uniform on the disk is squeezed into them and lifted back.
+// Visible Normals"). At unit roughness the facets of GGX form a hemisphere, which projects along wi
+// to half a disk and half an ellipse. A point uniform on the disk is squeezed into this shape and
+// lifted back to the hemisphere.
 #pragma once
 
 #include <algorithm>
@@ -12,10 +13,11 @@
 
 namespace vndf {
 
+/// The Method (smith.h) of GgxHemisphere.
 struct GgxHemisphereMethod {
-  /// In double the Jacobian of the map times pdf() is 1 within kJacobianError, where a finite
-  /// difference of it can be taken. In float no more than kFloatError of all pairs (u1, u2) give
-  /// slopes whose exact CDFs are off by more than kFloatError.
+  /// In double the Jacobian of the map times pdf() is 1 within kJacobianError wherever a finite
+  /// difference can measure it. In float no more than the fraction kFloatError of all pairs (u1,
+  /// u2) give slopes whose |CDF - u| is above kFloatError.
   static constexpr double kJacobianError = 1e-7, kFloatError = 2e-5;
 
   template <class T>
@@ -36,8 +38,8 @@ struct GgxHemisphereMethod {
   }
 };
 
-/// An exact sampler. The map is not the inverse of CDFs in x and y: slopes are monotone neither in
-/// u1 nor in u2.
+/// An exact sampler. Its map is not the inverse of the CDFs of slope_x and slope_y: no slope is
+/// monotone in u1 or u2.
 template <class T>
 using GgxHemisphere = VisibleSampler<T, GgxShape, GgxHemisphereMethod>;
 

@@ -1,12 +1,15 @@
-// D, Lambda and G1 of a distribution known in closed form, at any roughness, and the sampler of its
-// visible normals by any method (Heitz and d'Eon 2014, Algorithm 4 and equations 1 to 3). The
-// closed form is a Shape at unit roughness:
+// Evaluates D, Lambda and G1 of a distribution in closed form at any roughness, and samples its
+// visible normals by any method (Heitz and d'Eon 2014, Algorithm 4 and equations 1 to 3).
+// Shape-invariance lets a distribution be given at unit roughness only, as a Shape:
 //
-//   Shape::density(h2, z)            p22(sqrt(h2) / z) / z^4: D of the vector with horizontal part
-//                                    sqrt(h2) and vertical part z, of which the length cancels
-//   Shape::backfacing_area(z, s)     z Lambda for the direction (s, 0, z), of degree 1 in it
+//   Shape::density(h2, z)            p22(sqrt(h2) / z) / z^4, which is D of the vector with the
+//                                    horizontal part sqrt(h2) and the vertical part z; its length
+//                                    cancels
+//   Shape::backfacing_area(z, s)     z Lambda for the direction (s, 0, z), which need not be a unit
+//                                    vector: the result is proportional to its length
 //
-// Inputs outside their range give what TabulatedSampler gives; no function allocates or throws.
+// Inputs outside their range give the results that TabulatedSampler gives. No function allocates or
+// throws.
 #pragma once
 
 #include <cmath>
@@ -17,7 +20,7 @@
 
 namespace vndf {
 
-/// The functions of `Shape`, with its errors.
+/// D, Lambda and G1 of `Shape`, which states their errors.
 template <class T, class Shape>
 class SmithSurface {
  public:
@@ -49,7 +52,7 @@ class SmithSurface {
   }
 };
 
-/// The direction seen from which slopes are sampled: theta of wi stretched to unit roughness.
+/// The incident direction (sin, 0, cos), stretched to unit roughness.
 template <class T>
 struct Incidence {
   T cos, sin;
@@ -62,24 +65,25 @@ Incidence<double> in_double(const Incidence<T>& wi) {
   return {cos / length, sin / length};
 }
 
-/// The same probability; its complement is exact.
+/// The same probability with an exact complement.
 template <class T>
 Probability<double> in_double(const Probability<T>& p) {
   return {double{p.u}, 1 - double{p.u}};
 }
 
-/// `Method::sample_slope(Incidence<T>, Probability<T> u1, Probability<T> u2)` draws the slope of
-/// the stretched configuration, (sin, 0, cos) being the incident direction (step 2).
+/// Samples the visible normals of `Shape`. A Method differs from others only in step 2 of Algorithm
+/// 4, `Method::sample_slope(Incidence<T>, Probability<T> u1, Probability<T> u2)`, which draws the
+/// slope of the stretched configuration.
 template <class T, class Shape, class Method>
 class VisibleSampler : public SmithSurface<T, Shape> {
  public:
   using Scalar = T;
   static constexpr bool kVisible = true;
 
-  /// Draws a normal visible from `wi` (wi.z >= 0). Any u is accepted; outside [0, 1] it is moved to
-  /// the nearer end. At the exact pole the azimuth is taken as 0. Returns a unit normal with
-  /// wm.z >= 0 and dot(wi, wm) >= -kFacingSlack<T>, but for the methods that take a cone for normal
-  /// incidence and say so; (0, 0, 1) for an input outside its range.
+  /// Draws a normal visible from `wi` (wi.z >= 0). A u outside [0, 1] is moved to the nearer end.
+  /// At the exact pole the azimuth of wi counts as 0. Returns a unit normal with wm.z >= 0 and
+  /// dot(wi, wm) >= -kFacingSlack<T>, except for methods that treat a cone as normal incidence and
+  /// say so. Returns (0, 0, 1) for an input outside its range.
   Vec3<T> sample(const Vec3<T>& wi, const Alpha<T>& alpha, T u1, T u2) const noexcept {
     if (!valid(wi, alpha)) return {T(0), T(0), T(1)};
     // 1. stretch
@@ -92,9 +96,9 @@ class VisibleSampler : public SmithSurface<T, Shape> {
     return unstretched_normal(slope, phi, alpha);
   }
 
-  /// Density of sample() per solid angle, D_wi(wm) = dot(wi, wm)+ D(wm) / (wi.z (1 + Lambda(wi)))
-  /// (equation 2), finite up to the horizon; 0 for an input outside its range. It is that of the
-  /// exact law: an error of the method is not in it.
+  /// Density of visible normals per solid angle, D_wi(wm) = dot(wi, wm)+ D(wm) / (wi.z (1 +
+  /// Lambda(wi))) (equation 2), finite up to the horizon; 0 for an input outside its range. It is
+  /// the density of sample() up to the error of the method.
   T pdf(const Vec3<T>& wi, const Vec3<T>& wm, const Alpha<T>& alpha) const noexcept {
     const T cosine = dot(wi, wm);
     if (!valid(wi, alpha) || !(cosine > T(0))) return T(0);

@@ -1,5 +1,6 @@
-// Visible normals of the V-cavity model: each facet wm = (x, y, z) forms a groove with its mirror
-// wm' = (-x, -y, z), and nothing else masks it (Heitz and d'Eon 2014, section 4 and appendix B).
+// Samples visible normals of the V-cavity model, in which each facet wm = (x, y, z) forms a groove
+// with its mirror image wm' = (-x, -y, z) and nothing else masks it (Heitz and d'Eon 2014, section
+// 4 and appendix B).
 #pragma once
 
 #include <algorithm>
@@ -11,7 +12,7 @@
 
 namespace vndf {
 
-/// Around any sampler of all normals.
+/// Samples the visible normals of V-cavities with `NdfSampler`, any sampler of all normals.
 template <class NdfSampler>
 class VCavity {
   using T = typename NdfSampler::Scalar;
@@ -21,16 +22,17 @@ class VCavity {
   static_assert(!NdfSampler::kVisible, "the V-cavity model is built on a sampler of all normals");
   static constexpr bool kVisible = true;
 
-  /// sample() without u3 takes it from the binary digits of u1 below this many: half of what a
-  /// float or a generator of 24 bits has. It errs by no more than kReuseError, |CDF - u|.
+  /// sample() without u3 takes it from the binary digits of u1 that follow this many, which is half
+  /// of the digits that a float or a generator of 24 bits has. The largest |CDF - u| of this is
+  /// kReuseError.
   static constexpr int kKeptDigits = 12;
   static constexpr double kReuseError = 1.0 / (1 << kKeptDigits);
 
   explicit VCavity(const NdfSampler& sampler = NdfSampler()) : sampler_(sampler) {}
 
-  /// Algorithm 3, exact: a normal visible from `wi`, of which u1 and u2 choose the groove and u3
-  /// the side. Any u is accepted. Returns a unit normal with wm.z >= 0 and dot(wi, wm) >= 0;
-  /// (0, 0, 1) for an input outside its range.
+  /// Draws a normal visible from `wi` by Algorithm 3, which is exact: u1 and u2 choose the groove
+  /// and u3 its side. A u outside [0, 1] is moved to the nearer end. Returns a unit normal with
+  /// wm.z >= 0 and dot(wi, wm) >= 0, and (0, 0, 1) for an input outside its range.
   Vec3<T> sample(const Vec3<T>& wi, const Alpha<T>& alpha, T u1, T u2, T u3) const noexcept {
     // 1. choose the groove
     const Vec3<T> m = sampler_.sample(wi, alpha, u1, u2), mirror{-m.x, -m.y, m.z};
@@ -41,16 +43,17 @@ class VCavity {
     return other ? mirror : m;
   }
 
-  /// The same with the digits of u1 below the first kKeptDigits for u3: all of u1 still chooses the
-  /// azimuth, and stratified numbers keep their strata, of which up to 2^kKeptDigits choose sides
-  /// evenly. Numbers on a lattice, whose last digits are all alike, must use the form above.
+  /// The same with the digits of u1 after the first kKeptDigits as u3. All of u1 still chooses the
+  /// azimuth, so stratified numbers keep their strata, and up to 2^kKeptDigits strata choose both
+  /// sides in the right proportion. Numbers on a lattice have equal last digits and must use the
+  /// function above. Maximum error: kReuseError.
   Vec3<T> sample(const Vec3<T>& wi, const Alpha<T>& alpha, T u1, T u2) const noexcept {
     const T scaled = std::ldexp(probability(u1).u, kKeptDigits);
     return sample(wi, alpha, u1, u2, scaled - std::floor(scaled));
   }
 
-  /// Density of sample() per solid angle, g1(wi, wm) dot(wi, wm)+ D(wm) / wi.z in the form of
-  /// appendix B, which is finite up to the horizon; 0 for an input outside its range.
+  /// Density of sample() per solid angle, g1(wi, wm) dot(wi, wm)+ D(wm) / wi.z, in the form of
+  /// appendix B because that is finite up to the horizon; 0 for an input outside its range.
   T pdf(const Vec3<T>& wi, const Vec3<T>& wm, const Alpha<T>& alpha) const noexcept {
     const T area = dot(wi, wm);
     if (!valid(wi, alpha) || !(area > T(0))) return T(0);
@@ -63,12 +66,12 @@ class VCavity {
     return sampler_.lambda(w, alpha);
   }
 
-  /// Masking of the facet `wm` (VCavityMasking): unlike Smith's it depends on the facet.
+  /// Masking of the facet `wm` (VCavityMasking), which unlike Smith's depends on the facet.
   T g1(const Vec3<T>& w, const Vec3<T>& wm, const Alpha<T>& alpha) const noexcept {
     return VCavityMasking::g1(sampler_, w, wm, alpha);
   }
-  /// Its mean over the facets that face `w`, weighted by their projected areas, which is Smith's
-  /// G1: both models conserve the projected area w.z.
+  /// Mean of that over the facets that face `w`, weighted by their projected areas. It is Smith's
+  /// G1, because both models conserve the projected area w.z.
   T g1(const Vec3<T>& w, const Alpha<T>& alpha) const noexcept { return sampler_.g1(w, alpha); }
 
  private:

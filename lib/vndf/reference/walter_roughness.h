@@ -1,6 +1,6 @@
-// Walter's trick: all normals are drawn with a roughness widened at grazing incidence,
-// alpha' = (1.2 - 0.2 sqrt(|cos(theta_i)|)) alpha, so that weights D / D' stay lower (Walter et al.
-// 2007, section 5.3; Heitz and d'Eon 2014, section 2.2).
+// Walter's trick, for comparison: all normals are drawn at a roughness widened at grazing
+// incidence, alpha' = (1.2 - 0.2 sqrt(|cos(theta_i)|)) alpha, which lowers the largest weights
+// (Walter et al. 2007, section 5.3; Heitz and d'Eon 2014, section 2.2).
 #pragma once
 
 #include <cmath>
@@ -9,8 +9,8 @@
 
 namespace vndf {
 
-/// Around any sampler of all normals: sample() and pdf() at the widened roughness, d(), lambda()
-/// and g1() at the true one. The pdf is therefore not D(wm) wm.z.
+/// Widens `NdfSampler`, any sampler of all normals. sample() and pdf() use the widened roughness,
+/// while d(), lambda() and g1() use the true one. The pdf is therefore not D(wm) wm.z.
 template <class NdfSampler>
 class WalterRoughness {
   using T = typename NdfSampler::Scalar;
@@ -22,7 +22,7 @@ class WalterRoughness {
 
   explicit WalterRoughness(const NdfSampler& sampler = NdfSampler()) : sampler_(sampler) {}
 
-  /// alpha' for `wi`.
+  /// The roughness alpha' for `wi`.
   static Alpha<T> widened(const Vec3<T>& wi, const Alpha<T>& alpha) noexcept {
     const T factor = T(1.2) - T(0.2) * std::sqrt(std::abs(wi.z));
     return {factor * alpha.x, factor * alpha.y};
