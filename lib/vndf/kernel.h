@@ -20,12 +20,6 @@ namespace kernel {
 #include "vndf/kernel_text.h"
 }  // namespace kernel
 
-/// A normal with the density per solid angle that it was drawn with.
-struct KernelNormal {
-  Vec3<float> wm;
-  float pdf;
-};
-
 /// Smallest dot(wi, wm) of a sampled normal: rounding; the exact value is never negative.
 inline constexpr float kKernelFacingSlack = 4 * 0x1p-23f;
 
@@ -43,7 +37,7 @@ class KernelDirection {
     return kernel::vndf_sample(tables_, direction_, u1, u2);
   }
   /// The normal of sample(), with the density of the map there (Kernel::sample_with_density()).
-  KernelNormal sample_with_density(float u1, float u2) const noexcept {
+  SampledNormal<float> sample_with_density(float u1, float u2) const noexcept {
     const auto sampled = kernel::vndf_sample_with_density(tables_, direction_, u1, u2);
     return {sampled.wm, sampled.pdf};
   }
@@ -93,8 +87,8 @@ class Kernel {
   /// mean of f(wm) / pdf is the integral of f over the normals that the map reaches, with no error
   /// of the tables. pdf is >= 0 and finite; 0 for an input outside its range; the largest number
   /// where many u give one normal, so that such u weigh nothing.
-  KernelNormal sample_with_density(const Vec3<float>& wi, const Alpha<float>& alpha, float u1,
-                                   float u2) const noexcept {
+  SampledNormal<float> sample_with_density(const Vec3<float>& wi, const Alpha<float>& alpha,
+                                           float u1, float u2) const noexcept {
     return at(wi, alpha).sample_with_density(u1, u2);
   }
 

@@ -63,10 +63,10 @@ BoundedSlope<double> widened(const BoundedSlope<T>& x) {
   return {double{x.sigma}, double{x.complement}};
 }
 
-/// `x`, or `edge` where it is smaller. Each part is held by itself: near 1 sigma is rounded more
-/// coarsely than its complement, which may be beyond the edge's where sigma is not.
+/// Returns min(x, edge). Both fields are clamped separately because, near 1, sigma is less precise
+/// than its complement.
 template <class T>
-BoundedSlope<T> held_below(const BoundedSlope<T>& edge, const BoundedSlope<T>& x) {
+BoundedSlope<T> clamp_below(const BoundedSlope<T>& edge, const BoundedSlope<T>& x) {
   return {smaller(x.sigma, edge.sigma), larger(x.complement, edge.complement)};
 }
 

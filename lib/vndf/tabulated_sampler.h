@@ -1,11 +1,13 @@
-// Sampling and evaluating the distribution of visible normals from tables, at any roughness,
-// anisotropy and incidence (Heitz and d'Eon 2014, Algorithm 4 and equations 1 to 3).
+// Sampling and evaluating the distribution of visible normals from the pair of tables, at any
+// roughness, anisotropy and incidence (Heitz and d'Eon 2014, Algorithm 4 and equations 1 to 3).
+// This is the method as the paper has it, in single or double precision; the tables that a renderer
+// bakes (kernel.h) are measured against it.
 //
 // Inputs of every function: directions are unit vectors; alpha > 0, tested from 1e-4 to 10 at
-// ratios up to 1:1000. An input outside its range (alpha <= 0, a component that is not a number, wi
-// below the horizon) gives the stated fallback and nothing else happens: no function allocates or
-// throws. Slopes are handled as fractions with a common denominator, so none overflows, whatever
-// the tail.
+// ratios up to 1:1000. For an input outside its range (alpha <= 0, a component that is not a
+// number, wi below the horizon) each function returns the fallback that it states; no function
+// allocates or throws. Slopes are fractions with a common denominator, so that none overflows,
+// whatever the tail.
 #pragma once
 
 #include <algorithm>
@@ -19,21 +21,9 @@
 #include "vndf/stretch.h"
 #include "vndf/table_coordinates.h"
 #include "vndf/vec.h"
+#include "vndf/visible_slope_map.h"
 
 namespace vndf {
-
-/// A normal with the density per solid angle that it was drawn with.
-template <class T>
-struct SampledNormal {
-  Vec3<T> wm;
-  T pdf;
-};
-
-/// The slope (x, scale y), with `scale` times the denominator of x as ConditionalScale gives it.
-template <class T>
-HomogeneousSlope<T> joined_slope(const SlopeFraction<T>& x, T scale, const SlopeFraction<T>& y) {
-  return {x.numerator * y.denominator, scale * y.numerator, x.denominator * y.denominator};
-}
 
 template <class T>
 class TabulatedSampler {
@@ -43,18 +33,12 @@ class TabulatedSampler {
 
   /// Shares `tables`, which must not be null.
   explicit TabulatedSampler(std::shared_ptr<const SlopeTables> tables)
-      : tables_(std::move(tables)),
-        mean_slope_(static_cast<T>(tables_->mean_slope)),
-        bounded_support_(bounded_from_slope(static_cast<T>(tables_->support))),
-        marginal_rows_(tables_->marginal_rows),
-        conditional_rows_(tables_->conditional_rows),
-        conditional_scale_{static_cast<T>(tables_->conditional_constant),
-                           static_cast<T>(tables_->conditional_quadratic)},
-        marginal_map_(tables_->marginal_map),
-        log_ndf_(tables_->log_ndf),
-        log_backfacing_(tables_->log_backfacing) {}
+      : mean_slope_(static_cast<T>(tables->mean_slope)),
+        log_ndf_(tables->log_ndf),
+        log_backfacing_(tables->log_backfacing),
+        map_(std::move(tables)) {}
 
-  const SlopeTables& tables() const { return *tables_; }
+  const SlopeTables& tables() const { return map_.tables(); }
 
   /// Draws a normal visible from `wi` (wi.z >= 0). slope_x increases with u1 and slope_y with u2 in
   /// the frame of the stretched incident direction. Any u is accepted; outside [0, 1] it is moved
@@ -66,34 +50,9 @@ class TabulatedSampler {
     // 1. stretch
     const Stretched s = stretch(wi, alpha);
     // 2. sample the slope of the stretched configuration
-    const HomogeneousSlope<T> slope = sample_slope(s.c, u1, u2);
+    const HomogeneousSlope<T> slope = map_.at(s.c, columns_of(u1, u2)).slope;
     // 3. rotate, 4. unstretch, 5. compute the normal
     return unstretched_normal(slope, s.phi, s.alpha);
-  }
-
-  /// Steps 2.a and 2.b of Algorithm 4: the slope seen from cotangent `c`, both at unit mean slope.
-  HomogeneousSlope<T> sample_slope(const BoundedSlope<T>& c, T u1, T u2) const noexcept {
-    // 2.a marginal
-    const BoundedSlope<T> x = sample_marginal(c, probability(u1));
-    // 2.b conditional: y, the slope in the table times a scale that depends on x
-    const FoldedProbability<T> folded = fold(probability(u2));
-    const T v = sample_conditional(x, folded.p);
-    const SlopeFraction<T> fx{x.numerator(), x.denominator()};
-    return joined_slope(fx, folded.sign * conditional_scale_.at(fx), conditional_value_inverse(v));
-  }
-
-  /// The marginal quantile at u1, in units of the mean slope; at most the slope `c`.
-  BoundedSlope<T> sample_marginal(const BoundedSlope<T>& c,
-                                  const Probability<T>& u1) const noexcept {
-    const double s = tables_->marginal.lookup(marginal_row(c), marginal_column(widened(u1)));
-    return held_below(farthest(c), bounded_from_sigma(static_cast<T>(marginal_map_.at(s))));
-  }
-
-  /// The value v = 2 sigma - 1 of |y| / scale that a sampled |y| stays below with probability p:
-  /// |y| = scale(x) conditional_value_inverse(v).
-  T sample_conditional(const BoundedSlope<T>& x, const Probability<T>& p) const noexcept {
-    return static_cast<T>(
-        tables_->conditional.lookup(conditional_row(x), conditional_column(widened(p))));
   }
 
   /// Density of normals D(wm) per solid angle; 0 for a horizontal or back-facing normal.
@@ -122,33 +81,44 @@ class TabulatedSampler {
     return above.z == T(0) ? T(0) : above.z / (above.z + backfacing_area(above, alpha));
   }
 
-  /// Density of sample() per solid angle, D_wi(wm) = dot(wi, wm)+ D(wm) / (wi.z (1 + Lambda(wi)))
-  /// (equation 2), finite up to the horizon; 0 for an input outside its range.
+  /// Density of the exact distribution per solid angle, D_wi(wm) = dot(wi, wm)+ D(wm) / (wi.z (1 +
+  /// Lambda(wi))) (equation 2), finite up to the horizon; 0 for an input outside its range.
   T pdf(const Vec3<T>& wi, const Vec3<T>& wm, const Alpha<T>& alpha) const noexcept {
     const T cosine = dot(wi, wm);
     if (!valid(wi, alpha) || !(cosine > T(0))) return T(0);
     return cosine * d(wm, alpha) / (wi.z + backfacing_area(wi, alpha));
   }
 
-  // The map itself: its density and its inverse (map_density.h).
-
-  /// The normal of sample(), with the density of the interpolated map there: the reciprocal of its
-  /// Jacobian. An integral of f estimated by the mean of f(wm) / pdf has no error of the tables, at
-  /// any size of them whose rows increase and reach the farthest slope. pdf is >= 0 and finite. It
-  /// is 0 at u1 or u2 = 0 or 1, the boundary of the normals, and for an input outside its range;
-  /// the largest number where the map is flat, that is where many u give one normal, so that such u
-  /// weigh nothing.
+  /// The normal of sample() with the density that the interpolated map has there, the reciprocal of
+  /// its Jacobian. An estimate that divides by this density rather than by pdf() has no error of
+  /// the tables, at any size of them whose rows increase and reach the farthest slope.
+  ///
+  /// The density is 0 at u1 or u2 = 0 or 1, the boundary of the normals, and for an input outside
+  /// its range. Where the map is flat, so that many u give the same normal, it is the largest
+  /// finite number, and those samples get negligible weight.
   SampledNormal<T> sample_with_density(const Vec3<T>& wi, const Alpha<T>& alpha, T u1,
-                                       T u2) const noexcept;
+                                       T u2) const noexcept {
+    if (!valid(wi, alpha)) return {{T(0), T(0), T(1)}, T(0)};
+    const Stretched s = stretch(wi, alpha);
+    const MappedSlope<T> mapped = map_.at(s.c, columns_of(u1, u2));
+    const Vec3<T> normal = unstretched(mapped.slope, s.phi, s.alpha);
+    return {normalize_or_up(normal), density(mapped, std::sqrt(dot(normal, normal)), s.alpha)};
+  }
 
-  /// The same density at any normal `wm`; 0 for one that sample() does not give.
-  T map_density(const Vec3<T>& wi, const Vec3<T>& wm, const Alpha<T>& alpha) const noexcept;
-
-  /// The (u1, u2) for which sample() gives `wm`; one of them where the map is flat or `wm`
-  /// horizontal; nothing where there is none, to kRangeSlack<T>, or an input is outside its range.
-  /// Maximum error of invert(sample(u)): kInverseError<T> (map_density.h).
+  /// Inverse of sample(): the (u1, u2) that give `wm`, one of them where the map is flat or `wm` is
+  /// horizontal. Returns nothing where there is none, to kRangeSlack<T>, or where an input is
+  /// outside its range. Maximum error of invert(sample(u)): kInverseError<T>.
   std::optional<Vec2<T>> invert(const Vec3<T>& wi, const Vec3<T>& wm,
-                                const Alpha<T>& alpha) const noexcept;
+                                const Alpha<T>& alpha) const noexcept {
+    if (!valid(wi, alpha) || !valid(wm, alpha)) return {};
+    const Stretched s = stretch(wi, alpha);
+    const auto columns = map_.inverse(s.c, stretched(wm, s.phi, s.alpha));
+    if (!columns) return {};
+    return random_numbers_of(*columns);
+  }
+
+  /// The map of the stretched configuration, for whoever measures it.
+  const VisibleSlopeMap<T>& map() const { return map_; }
 
  private:
   /// The stretched configuration, roughness in units in which the mean slope is 1.
@@ -156,19 +126,6 @@ class TabulatedSampler {
     Alpha<T> alpha;
     Azimuth<T> phi;
     BoundedSlope<T> c;
-  };
-  /// Columns of the two tables, and the sign of slope_y: what u1 and u2 stand for.
-  struct Columns {
-    double marginal, conditional;
-    T sign;
-  };
-  /// The two steps of the map with their differentials along the column.
-  struct MarginalStep {
-    BoundedSlope<T> x;
-    T du1, dsigma;
-  };
-  struct ConditionalStep {
-    T v, du2, dv;
   };
 
   Stretched stretch(const Vec3<T>& wi, const Alpha<T>& alpha) const {
@@ -178,31 +135,23 @@ class TabulatedSampler {
     return {a, phi, bounded_cotangent(wi.z, phi.length, x * x + y * y)};
   }
 
-  /// The largest slope seen from cotangent `c`.
-  BoundedSlope<T> farthest(const BoundedSlope<T>& c) const {
-    return held_below(bounded_support_, c);
+  /// Density per solid angle of a normal that had the length `l` before it was normalised. Of
+  /// slopes it is du / (dx dy), and dm = wm.z^3 alpha_x alpha_y dx dy with wm.z = d e / l, so that
+  ///
+  ///   pdf = du l^3 / (2 alpha_x alpha_y h S e (1 + v^2) dsigma dv)   (visible_slope_map.h).
+  static T density(const MappedSlope<T>& mapped, T l, const Alpha<T>& alpha) {
+    constexpr T kLargest = std::numeric_limits<T>::max();
+    if (!(mapped.du > T(0))) return T(0);
+    const T jacobian = T(2) * (alpha.x * alpha.y) * mapped.jacobian;
+    return jacobian > T(0) ? std::min(mapped.du * l * l * l / jacobian, kLargest) : kLargest;
   }
-
-  /// Row coordinates of the tables.
-  double marginal_row(const BoundedSlope<T>& c) const {
-    return marginal_rows_.row(marginal_base(widened(c)));
-  }
-  double conditional_row(const BoundedSlope<T>& x) const {
-    return conditional_rows_.row(conditional_base(widened(x)));
-  }
-
-  MarginalStep marginal_step(const BoundedSlope<T>& c, double column) const;
-  ConditionalStep conditional_step(double row, double column) const;
-  SampledNormal<T> sample_at(const Stretched& s, const Columns& columns) const;
-  std::optional<Columns> columns_of(const Stretched& s, const Vec3<T>& wm) const;
-  bool in_range(const Stretched& s, const Columns& columns, const BoundedSlope<T>& x, T v) const;
 
   /// Roughness in units in which the mean slope is 1.
   Alpha<T> normalized(const Alpha<T>& alpha) const {
     return {alpha.x * mean_slope_, alpha.y * mean_slope_};
   }
 
-  /// wi.z Lambda(wi): the projected area of the facets that face away from wi.
+  /// w.z Lambda(w): the projected area of the facets that face away from w.
   T backfacing_area(const Vec3<T>& w, const Alpha<T>& alpha) const {
     const Alpha<T> a = normalized(alpha);
     const T horizontal = azimuth(a.x * w.x, a.y * w.y).length;
@@ -210,15 +159,9 @@ class TabulatedSampler {
     return horizontal * log_backfacing_.at(std::asinh(w.z / horizontal));
   }
 
-  std::shared_ptr<const SlopeTables> tables_;
   T mean_slope_;
-  BoundedSlope<T> bounded_support_;
-  RowAxis marginal_rows_, conditional_rows_;
-  ConditionalScale<T> conditional_scale_;
-  MonotoneMap marginal_map_;
   LogCurve<T> log_ndf_, log_backfacing_;
+  VisibleSlopeMap<T> map_;
 };
 
 }  // namespace vndf
-
-#include "vndf/map_density.h"

@@ -29,6 +29,13 @@ T dot(const Vec3<T>& a, const Vec3<T>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
+/// A normal with the density per solid angle that it was drawn with.
+template <class T>
+struct SampledNormal {
+  Vec3<T> wm;
+  T pdf;
+};
+
 /// Scales `v` to unit length; (0, 0, 1) where `v` is zero or not finite.
 template <class T>
 Vec3<T> normalize_or_up(const Vec3<T>& v) {

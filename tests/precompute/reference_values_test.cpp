@@ -127,7 +127,7 @@ TEST_CASE("conditional quantiles agree with the reference values within the cert
       CHECK(cdf(r.value) == Approx(r.u).margin(1e-12));
       const auto bounded = bounded_from_slope(static_cast<float>(x));
       const auto folded = fold(probability(static_cast<float>(r.u)));
-      const float v = s.sampler.sample_conditional(bounded, folded.p);
+      const float v = s.sampler.map().conditional(bounded, folded.p);
       const double y = double{folded.sign} * conditional_value_inverse(double{v}).slope() * scale;
       CHECK(std::abs(cdf(y) - double{static_cast<float>(r.u)}) <=
             s.built.certificate.conditional.max_u_error);

@@ -89,7 +89,7 @@ TEST_CASE("an input outside its range gives the fallback") {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   const Vec3<float> wi{0.6f, 0, 0.8f}, up{0, 0, 1};
   const auto falls_back = [&](const Vec3<float>& w, const Alpha<float>& alpha) {
-    const KernelNormal sampled = kernel.sample_with_density(w, alpha, 0.3f, 0.6f);
+    const SampledNormal<float> sampled = kernel.sample_with_density(w, alpha, 0.3f, 0.6f);
     CAPTURE(w.x, w.y, w.z, alpha.x, alpha.y);
     CHECK(same(sampled.wm, up));
     CHECK(sampled.pdf == 0);

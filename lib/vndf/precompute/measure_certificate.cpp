@@ -78,10 +78,10 @@ struct Judge {
       return visible.cdf(std::min(std::log(sigma / (1 - sigma)), visible.farthest()));
     };
     const auto sampled = [&](const Probability<float>& u) {
-      return cdf_of(sampler.sample_marginal(c, u));
+      return cdf_of(sampler.map().marginal(c, u));
     };
     const auto sampled_double = [&](const Probability<double>& u) {
-      return cdf_of(sampler_double.sample_marginal(exact, u));
+      return cdf_of(sampler_double.map().marginal(exact, u));
     };
     const double theta = std::atan2(w.s / slopes.mean_slope(), w.z) / kDegree;
     const QuantileTable& table = sampler.tables().marginal;
@@ -102,11 +102,11 @@ struct Judge {
     };
     const auto sampled = [&](const Probability<float>& u2) {
       const auto folded = fold(u2);
-      return cdf_of(folded.sign, sampler.sample_conditional(bounded, folded.p));
+      return cdf_of(folded.sign, sampler.map().conditional(bounded, folded.p));
     };
     const auto sampled_double = [&](const Probability<double>& u2) {
       const auto folded = fold(u2);
-      return cdf_of(folded.sign, sampler_double.sample_conditional(exact, folded.p));
+      return cdf_of(folded.sign, sampler_double.map().conditional(exact, folded.p));
     };
     const double place = exact.slope() * slopes.mean_slope();
     return judge_row(PairRow(sampled, sampled_double, tables.conditional.in_double()),
@@ -115,7 +115,7 @@ struct Judge {
 };
 
 TableErrors judge_marginal(const Judge& judge, const support::Workers& workers) {
-  const RowAxis rows(judge.sampler.tables().marginal_rows);
+  const RowAxis& rows = judge.sampler.map().marginal_rows();
   std::vector<Judge::Direction> directions;
   for (const double row : off_grid_rows(judge.sampler.tables().marginal.rows(), kJudgedRows))
     directions.push_back(Judge::direction(marginal_base_inverse(rows.base(row))));
@@ -127,7 +127,7 @@ TableErrors judge_marginal(const Judge& judge, const support::Workers& workers) 
 
 TableErrors judge_conditional(const Judge& judge, const support::Workers& workers) {
   const SlopeTables& tables = judge.sampler.tables();
-  const RowAxis rows(tables.conditional_rows);
+  const RowAxis& rows = judge.sampler.map().conditional_rows();
   std::vector<double> reached;
   for (const double row : off_grid_rows(tables.conditional.rows(), kJudgedRows)) {
     const double x = conditional_base_inverse(rows.base(row));
