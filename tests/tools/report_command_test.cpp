@@ -1,4 +1,5 @@
-// vndf validate --report as a person meets it: the page, its data, what it replaces and refuses.
+// What a person meets in vndf validate --report: the page, its data, and what it replaces and
+// refuses.
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
 #include <stdlib.h>
@@ -100,6 +101,28 @@ TEST_CASE("validate --report writes a page that needs no other file, with its da
   CHECK(size_of(place / "a-b-u-error.exr") == std::pair(201, 121));
   CHECK(size_of(place / "a-b-weights.exr") == std::pair(160, 160));
   CHECK(size_of(place / "a-b-curves.exr") == std::pair(180, 1));
+}
+
+TEST_CASE("on a narrow screen every row of the report's tables is a block of lines") {
+  const Folder folder;
+  REQUIRE(folder.run("validate ggx-caps --quick --seed 7 --json v.json --report page").status == 0);
+  const std::string page = content(folder / "page/index.html");
+  CHECK_THAT(page, contains("<meta name=\"viewport\" content=\"width=device-width"));
+
+  // The rule for narrow screens, and the classes that it places, on all the rows there are.
+  const auto rules = all_between(page, "@media (max-width: 720px) {", "</style>");
+  REQUIRE(rules.size() == 1);
+  for (const char* rule : {"tr { display: grid;", "tr.heads { display: none; }", "td.measured {",
+                           "td.place, td.wide {"})
+    CHECK_THAT(rules.front(), contains(rule));
+  const auto json = nlohmann::json::parse(content(folder / "v.json"));
+  const std::size_t results = json.at("samplers").at(0).at("results").size();
+  CHECK(count_of(page, "<tr class=\"heads\">") == count_of(page, "<table>"));
+  CHECK(count_of(page, "class=\"number measured\"") == results);
+  CHECK(count_of(page, "class=\"place\"") == results);
+  CHECK(count_of(page, "class=\"wide\"") == 3);
+  // Pictures are as wide as the page, whatever their pixels.
+  CHECK_THAT(page, contains("img { width: 100%; height: auto;"));
 }
 
 TEST_CASE("a report of a failure says so, the status is still 1, and the next one replaces it") {
