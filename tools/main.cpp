@@ -1,5 +1,5 @@
 // The vndf program: parses the command line, calls the library, prints. Exit status 0, 1 after a
-// failure (one line on standard error) or a verdict against a subject, and 2 for wrong usage.
+// failure (one line on standard error) or a sampler that does not pass, and 2 for wrong usage.
 #include <exception>
 #include <iostream>
 

@@ -1,5 +1,5 @@
-// Samplers for the validator to check: exact ones, and exact ones with one mistake each. They
-// compute in double precision and return T.
+// Samplers for tests of the validator: exact ones, and exact ones with one mistake each. They
+// compute in double precision and return T, so that rounding is the only error of the exact ones.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 
 namespace vndf::test {
 
-/// The distribution of a specification, made once.
+/// The exact slopes of a specification.
 inline std::shared_ptr<const validate::ExactSlopes> exact_slopes(const std::string& specification) {
   return std::make_shared<validate::ExactSlopes>(distributions::parse_distribution(specification));
 }

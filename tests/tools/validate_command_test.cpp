@@ -1,4 +1,4 @@
-// vndf validate and vndf check as a script meets them: output, files, exit status.
+// What a script meets in vndf validate and vndf check: output, files, exit status.
 #include <algorithm>
 #include <cmath>
 #include <fstream>

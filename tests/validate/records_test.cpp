@@ -1,5 +1,5 @@
-// Records of somebody's sampler: read strictly, accepted where they are right, rejected at the
-// place where they are wrong.
+// Records of somebody's sampler are read strictly, accepted where they are right, and rejected at
+// the place where they are wrong.
 #include "vndf/validate/records.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// The validator: exact samplers and tables pass, every known mistake is rejected at the default
-// setting, and a run follows from its seed.
+// The validator passes exact samplers and tables, rejects every known mistake at the default
+// setting, and its runs follow from their seeds.
 #include "vndf/validate/validate.h"
 
 #include <cmath>
@@ -28,7 +28,7 @@ SamplerUnderTest tables_of(const std::string& distribution) {
                            built.certificate);
 }
 
-/// A sampler that claims what good tables claim.
+/// A sampler with one mistake that claims what good tables claim.
 template <template <class> class Mistaken>
 SamplerUnderTest mistaken(const std::string& distribution) {
   const auto& built = small_tables(distribution);
@@ -66,7 +66,7 @@ ValidationOptions quick(std::uint64_t seed) {
   return {.thoroughness = Thoroughness::quick, .seed = seed};
 }
 
-/// The exact map of any distribution, to be checked by its normals only.
+/// The exact map of any distribution, of which only the normals are checked.
 SamplerUnderTest exact_map(const std::string& distribution) {
   SamplerUnderTest sampler;
   sampler.name = distribution;
@@ -79,7 +79,7 @@ SamplerUnderTest exact_map(const std::string& distribution) {
   return sampler;
 }
 
-/// `sampler` with its random numbers moved by `error`, most for u in the middle.
+/// `sampler` with its random numbers u1 moved by up to `error`, most for u1 in the middle.
 SamplerUnderTest disturbed(SamplerUnderTest sampler, double error) {
   const auto good = sampler.sample;
   sampler.sample = [good, error](const Configuration& c, std::span<const RandomPair> u,

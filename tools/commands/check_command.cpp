@@ -1,5 +1,5 @@
-// vndf check: checks the samples of any sampler, from a file of records. Exit status 0: accepted,
-// 1: rejected, 2: the input cannot be used.
+// vndf check: checks the samples of any sampler, from a file of records. The exit status is 0 where
+// they are accepted, 1 where they are rejected, and 2 where the input cannot be used.
 #include <fmt/format.h>
 
 #include <iostream>
@@ -49,7 +49,7 @@ std::unique_ptr<ExactSlopes> against(const std::string& argument) {
   return std::make_unique<ExactSlopes>(distributions::parse_distribution(argument));
 }
 
-/// What the number of records can see, and the first failure with its place.
+/// Whether the records are accepted, or else the first failure with its place.
 std::string conclusion(const validate::Verdict& verdict) {
   const validate::CheckResult* failure = verdict.first_failure();
   if (failure == nullptr) return "accepted\n";
@@ -71,7 +71,7 @@ validate::Verdict check(const CheckArguments& a) {
   return verdict;
 }
 
-/// True if the records are accepted.
+/// Checks the records and shows the verdict; true if they are accepted.
 bool check_and_report(const CheckArguments& a) {
   if (!a.json.empty()) require_output(a.json, {a.records, a.against});
   const auto verdict = check(a);

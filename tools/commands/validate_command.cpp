@@ -1,4 +1,4 @@
-// vndf validate: checks table files and reference samplers.
+// vndf validate: checks table files and reference samplers against their exact distributions.
 #include <fmt/format.h>
 
 #include <iostream>
@@ -31,7 +31,7 @@ struct ValidateArguments {
   std::string json, report;
 };
 
-/// Slopes of the reference samplers, which those of one distribution share.
+/// The slopes of the reference samplers, made once for all samplers of one distribution.
 class SharedSlopes {
  public:
   std::shared_ptr<const ExactSlopes> of(const validate::NamedSampler& sampler) {
@@ -61,14 +61,14 @@ Thoroughness thoroughness(const ValidateArguments& a) {
   return a.thorough ? Thoroughness::thorough : Thoroughness::standard;
 }
 
-/// Nothing if none is asked for.
+/// The report, or nothing if none is asked for.
 std::unique_ptr<ValidationReport> report_of(const ValidateArguments& a, std::uint64_t seed) {
   if (a.report.empty()) return nullptr;
   const char* effort = a.quick ? " --quick" : a.thorough ? " --thorough" : "";
   return std::make_unique<ValidationReport>(a.report, ReportedRun{kProgram, effort, seed});
 }
 
-/// True if all samplers pass.
+/// Validates all samplers; true if all pass.
 bool validate_all(const ValidateArguments& a) {
   if (!a.json.empty()) require_output(a.json, a.samplers);
   SharedSlopes shared;

@@ -49,7 +49,7 @@ std::string value_range(const std::vector<Curve>& curves) {
                      10 * decade_below(high));
 }
 
-/// Curves that share their axes: lines for what is exact, rings for the sampler.
+/// Curves that share their axes: lines for the exact ones, rings for those of the sampler.
 std::string panel(const std::string& name, const std::vector<Curve>& curves) {
   std::string blocks, plots;
   for (std::size_t k = 0; k < curves.size(); ++k) {

@@ -24,7 +24,7 @@ using validate::SlopeHistogram;
 constexpr std::array kAngles{0.0, 30.0, 60.0, 90.0};
 constexpr double kPhi = 45, kAlphaX = 2, kAlphaY = 1;
 constexpr int kHeight = 1270;
-/// The validator's streams of random numbers are below.
+/// The streams of random numbers below this are those of the distribution check.
 constexpr std::uint64_t kFirstStream = 1000;
 
 using Histograms = std::array<SlopeHistogram, kAngles.size()>;
@@ -46,7 +46,7 @@ double highest_density(const Histograms& list) {
   return highest;
 }
 
-/// One row of panels, of which the titles tell each apart.
+/// One row of panels. Only the titles tell its panels apart.
 struct PanelRow {
   std::string label;
   Grid SlopeHistogram::*grid;
@@ -67,7 +67,7 @@ std::string mean_square_title(const SlopeHistogram& h) {
                      h.mean_square, error);
 }
 
-/// The facets seen at 90 degrees lie on a line of slopes; nothing where there is none.
+/// The line of slopes of the facets that are seen at 90 degrees; nothing where there is none.
 std::string edge_of_visibility(const SamplerUnderTest& sampler, const Configuration& c) {
   if (sampler.claims.normals == SampledNormals::all || c.theta() == 0) return "";
   return fmt::format(", ({} - {} * x) / {} with lines dt 2 lw 1.5 lc rgb '#888888' notitle", c.wi.z,

@@ -111,7 +111,7 @@ io::ExrImage data(const SamplerUnderTest& sampler, const UErrorMap& marginal,
 }  // namespace
 
 Picture error_picture(const SamplerUnderTest& sampler, const PictureOptions& options) {
-  const std::string title = "Error of the map, |CDF(x(u)) - u|";
+  const std::string title = "u-error of the slopes, |CDF(x(u)) - u|";
   if (!sampler.claims.monotone_inverse)
     return {
         "u-error", title,

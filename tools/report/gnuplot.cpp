@@ -17,13 +17,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// False if gnuplot is missing or fails, which it has told on standard error.
+/// False if gnuplot is missing or fails; it says why on standard error.
 bool run_gnuplot(const std::string& script) {
-  // Where it cannot open its file it draws to standard output.
-  // Scripts are UTF-8, also where the machine has no language set.
+  // Standard output is dropped because gnuplot draws there where it cannot open its file. Scripts
+  // are UTF-8, also where the machine has no language set.
   std::FILE* pipe = popen("LC_ALL=C.UTF-8 gnuplot >/dev/null", "w");
   if (pipe == nullptr) return false;
-  // A gnuplot that is missing or has given up must not end this program with it.
+  // Writing to a gnuplot that is missing or has given up would end this program.
   const auto before = std::signal(SIGPIPE, SIG_IGN);
   const bool written = std::fwrite(script.data(), 1, script.size(), pipe) == script.size();
   const bool drawn = pclose(pipe) == 0;

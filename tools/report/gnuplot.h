@@ -17,10 +17,10 @@ std::string terminal_for(const std::string& output);
 void draw(const std::string& output,
           const std::function<std::string(const std::string&)>& script_for);
 
-/// Throws std::runtime_error if gnuplot is missing: to be asked before long work.
+/// Throws std::runtime_error if gnuplot is missing. It is asked before long work.
 void require_gnuplot();
 
-/// `text` as a string of a script.
+/// `text` as a quoted string of a script.
 std::string quoted(const std::string& text);
 
 /// The bytes of a PNG picture of `width` x `height` pixels that `script` draws on white ground.

@@ -10,7 +10,7 @@
 namespace vndf::tools {
 namespace {
 
-/// Stands for what is not a number, of which gnuplot warns in a matrix.
+/// Stands for what is not a number, because gnuplot warns of that in a matrix.
 constexpr double kNoNumber = -1e9;
 
 }  // namespace

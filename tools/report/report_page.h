@@ -13,7 +13,7 @@ namespace vndf::tools {
 /// One sampler of a report.
 struct ReportSection {
   std::string sampler, distribution;
-  std::string stem;  ///< of the names of its files of data: STEM-PICTURE.exr
+  std::string stem;  ///< its files of data are called STEM-PICTURE.exr
   validate::Verdict verdict;
   std::vector<Picture> pictures;
 };
@@ -21,13 +21,14 @@ struct ReportSection {
 /// The name of the file with the data of a picture.
 std::string data_file(const ReportSection& section, const Picture& picture);
 
-/// What the whole run had in common.
+/// What all samplers of the run have in common.
 struct ReportedRun {
-  std::string program, effort;
-  std::uint64_t seed = 0;
+  std::string program;  ///< name and version
+  std::string effort;   ///< the option that says how much is checked, with a space before, or empty
+  std::uint64_t seed = 0;  ///< of its random numbers
 };
 
-/// HTML with its style and its pictures inside.
+/// The page as HTML, with its style and its pictures inside. It is readable on a narrow screen too.
 std::string report_page(const ReportedRun& run, const std::vector<ReportSection>& sections);
 
 }  // namespace vndf::tools

@@ -14,8 +14,8 @@ ValidationReport::ValidationReport(const std::filesystem::path& folder, Reported
   require_gnuplot();
 }
 
-/// The name of the sampler without folders and extension, of letters that any system takes, with a
-/// number behind it if the name is taken.
+/// The name of the sampler without folders and extension, in letters that any system takes. A
+/// number is added if the name is taken.
 std::string ValidationReport::new_stem(const std::string& sampler) const {
   std::string stem = std::filesystem::path(sampler).stem().string();
   for (char& c : stem)

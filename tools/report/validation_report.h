@@ -10,17 +10,18 @@
 
 namespace vndf::tools {
 
+/// Collects the samplers of a run and writes the report when it is finished.
 class ValidationReport {
  public:
   /// Throws std::runtime_error, before any work, if gnuplot is missing or `folder` cannot be made
   /// or replaced (io::AtomicFolder).
   ValidationReport(const std::filesystem::path& folder, ReportedRun run);
 
-  /// Draws the pictures of a sampler, which takes some seconds.
+  /// Draws the pictures of a sampler, which takes some seconds, and keeps them with its verdict.
   void add(const validate::SamplerUnderTest& sampler, const validate::Verdict& verdict,
            const support::Workers& workers);
 
-  /// Writes the page and puts all in place.
+  /// Writes the page and moves the whole folder to its place.
   void finish();
 
  private:

@@ -1,4 +1,4 @@
-// How verdicts are shown.
+// How the program shows a verdict.
 #include "report/verdict_text.h"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@ using validate::Kind;
 using validate::Place;
 using validate::Verdict;
 
-/// "theta 60, alpha 2 x 1, u 0.5, 0.25" with what applies.
+/// "theta 60, alpha 2 x 1, u1 0.5, u2 0.25", with what applies.
 std::string text_of(const Place& p) {
   std::string text;
   if (!std::isnan(p.theta))

@@ -1,4 +1,4 @@
-// How the program shows a verdict of the validator: as text for people, as JSON for programs.
+// How the program shows a verdict: as text for people, as JSON for programs.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,13 +8,13 @@
 
 namespace vndf::tools {
 
-/// Where a result is and what is to be said of it, in words.
+/// Where a result was measured, and its note.
 std::string remark(const validate::CheckResult& result);
 
-/// A table, one line for each result.
+/// One line for each result, under the name of the sampler and its verdict.
 std::string describe(const validate::Verdict& verdict);
 
-/// Place, tests and note are left out where they do not apply.
+/// The same as one object. Place, tests and note are left out where they do not apply.
 nlohmann::ordered_json to_json(const validate::Verdict& verdict);
 
 }  // namespace vndf::tools

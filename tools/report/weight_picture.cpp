@@ -29,7 +29,7 @@ struct Panel {
   SampleWeights weights;
 };
 
-/// The sampler and the previous method, or this alone where the sampler is of it.
+/// The sampler and the previous method, or this alone where the sampler is of that method.
 std::vector<Panel> panels_of(const SamplerUnderTest& sampler) {
   const Configuration c = validate::at_angles(kTheta / validate::kDegree, 0, kAlpha, kAlpha);
   if (sampler.claims.normals == SampledNormals::all)
@@ -75,14 +75,14 @@ std::string caption(const SamplerUnderTest& sampler, const std::vector<Panel>& p
                         p.weights.largest, p.weights.mean, 100 * p.weights.lost);
   if (sampler.claims.normals == SampledNormals::all)
     return text +
-           "This sampler draws all normals, so half of the square is lost and weights have no "
+           " This sampler draws all normals, so half of the square is lost and weights have no "
            "bound; those of visible normals are never above 1.";
   if (sampler.claims.normals == SampledNormals::visible_v_cavity)
     text +=
-        "The noise is the choice between the two facets of a cavity, made by the last digits of "
+        " The noise is the choice between the two facets of a cavity, made by the last digits of "
         "u1.";
   return text +
-         "Weights of visible normals are never above 1: red on the left would be an error. Both "
+         " Weights of visible normals are never above 1: red on the left would be an error. Both "
          "methods estimate the same reflectance, so their means agree to the coarseness of the "
          "cells.";
 }

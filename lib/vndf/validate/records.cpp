@@ -1,4 +1,4 @@
-// Samples of somebody's sampler as text.
+// Reading samples of somebody's sampler.
 #include "vndf/validate/records.h"
 
 #include <array>
@@ -14,7 +14,7 @@ namespace {
 
 using support::CsvReader;
 
-/// Names of the columns in the order of the header.
+/// Which columns are there, and their names in order.
 struct Header {
   bool u, pdf;
 
@@ -38,7 +38,7 @@ Header read_header(support::CsvReader& csv) {
   csv.fail_in_line("the header " + support::quoted(csv.line()) + " is not known; " + accepted);
 }
 
-/// A unit vector to kLengthSlack.
+/// Whether `v` is a unit vector to kLengthSlack.
 bool has_length_one(const Vec3<double>& v) {
   return std::abs(std::hypot(v.x, v.y, v.z) - 1) <= kLengthSlack;
 }

@@ -1,4 +1,4 @@
-// The validator: all checks on one sampler.
+// The validator: all checks of one sampler.
 #include "vndf/validate/validate.h"
 
 #include <algorithm>

@@ -1,5 +1,13 @@
-// The validator: all checks on one sampler. The checks without random numbers come first: they see
-// errors of 1e-5, where counting a million samples sees those of 1e-2.
+// The validator: all checks of one sampler, from any program. Of tables that were built for GGX,
+//
+//   const auto exact = std::make_shared<ExactSlopes>(distributions::parse_distribution("ggx"));
+//   const auto sampler = tables_under_test("my tables", exact, built.tables, built.certificate);
+//   const Verdict verdict = validate_sampler(sampler, {.thoroughness = Thoroughness::quick});
+//   if (!verdict.passed()) std::cerr << verdict.first_failure()->statistic << '\n';
+//
+// A sampler of another kind becomes a SamplerUnderTest by under_test() (sampler_under_test.h). The
+// checks without random numbers are made first: they see errors of 1e-5, where counting a million
+// samples sees those of 1e-2.
 #pragma once
 
 #include <cstdint>
@@ -13,35 +21,48 @@
 
 namespace vndf::validate {
 
+/// How many places and samples the checks use.
 enum class Thoroughness {
   quick,     ///< seconds
   standard,  ///< a minute on two cores
   thorough   ///< 1e9 samples
 };
 
+/// What a run does, beyond the sampler itself.
 struct ValidationOptions {
+  /// More of it sees smaller errors and takes longer.
   Thoroughness thoroughness = Thoroughness::standard;
-  /// Of all random numbers of the distribution check.
+  /// All random numbers of the distribution check follow from it.
   std::uint64_t seed = 1;
-  /// Leave out the checks after one that fails.
+  /// Whether the checks after one that fails are left out.
   bool stop_at_first_failure = false;
-  /// Samplers of the whole run, which share its significance.
+  /// Number of samplers that are validated in the whole run: they share its significance.
   std::size_t samplers = 1;
+  /// Results do not depend on the number of threads.
   support::Workers workers = {};
 };
 
+/// All results of one sampler.
 struct Verdict {
+  /// The name of the sampler.
   std::string sampler;
+  /// In the order in which the checks were made.
   std::vector<CheckResult> results;
-  std::uint64_t samples = 0;  ///< that were counted, in all
-  /// What the counted samples of one configuration can see: errors in u and of the mass of a bin.
+  std::uint64_t samples = 0;  ///< how many were counted in all
+  /// The errors that the counted samples of one configuration can show, in u and in the mass of a
+  /// bin; 0 where nothing was counted.
   double visible_u_error = 0, visible_bin_error = 0;
 
+  /// Whether every result passed.
   bool passed() const;
-  /// The first result that did not pass, or null.
+  /// The first result that did not pass, or null. It lives as long as this verdict.
   const CheckResult* first_failure() const;
 };
 
+/// Makes every check that `sampler` claims to pass: hard cases, u-error and cross-check where it
+/// claims to be the monotone inverse, density, furnace, quasi-random where its map is smooth, and
+/// distribution. A correct sampler fails a run of options.samplers samplers with a probability of
+/// kRunSignificance.
 Verdict validate_sampler(const SamplerUnderTest& sampler, const ValidationOptions& options = {});
 
 }  // namespace vndf::validate

@@ -31,7 +31,7 @@ Key key_of(const Configuration& c) {
   return {c.wi.x, c.wi.y, c.wi.z, c.alpha.x, c.alpha.y};
 }
 
-/// The band of incidence and roughness.
+/// The band of incidence and roughness that a configuration is in.
 Key band_of(const Configuration& c) {
   static constexpr std::array kEnds{0.3, 10.0, 30.0, 60.0, 75.0, 85.0, 89.0, 89.9};
   const double theta =
@@ -53,7 +53,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// The middle of a group.
+/// The middle of a group: medians of incidence and roughness.
 Place place_of_group(const Records& records, const Indices& group) {
   const auto of = [&](auto number) {
     std::vector<double> values;
@@ -88,7 +88,7 @@ class RecordValidation {
   }
 
  private:
-  /// Uniform numbers of all records; those of one configuration share its distribution.
+  /// Finds the uniform numbers of all records; those of one configuration share its distribution.
   void transform() {
     const auto groups = grouped(records_, key_of);
     configurations_ = groups.size();
@@ -146,7 +146,7 @@ class RecordValidation {
     return near * 100 >= seen * 99;
   }
 
-  /// Calls `f` with up to `count` indices spread over the records.
+  /// Calls `f` with some `count` indices spread over the records.
   template <class F>
   void for_some(std::size_t count, F f) const {
     const std::size_t n = records_.list.size(), stride = std::max<std::size_t>(1, n / count);
@@ -227,10 +227,10 @@ class RecordValidation {
     return results;
   }
 
-  /// Uniform numbers must not depend on the configuration either. A mistake in a fixed frame, such
-  /// as an azimuth that stops short, is even again when wi is at all azimuths: so the records are
-  /// put in rows of equal size by a property of theirs, and each row is counted by itself. Nothing
-  /// where the records are too few, or all alike.
+  /// Whether a uniform number depends on the configuration, which it must not. A mistake in a fixed
+  /// frame, such as an azimuth that stops short, is hidden again when wi is at all azimuths. So the
+  /// records are put in rows of equal size by a property of theirs, and each row is counted by
+  /// itself. Nothing where the records are too few, or all alike.
   template <class Variable, class Given>
   std::optional<CheckResult> check_dependence(const Indices& group, Variable variable,
                                               Given given) const {

@@ -1,7 +1,7 @@
-// The validator on records: samples that somebody's sampler has drawn, at configurations of his
-// choice. Checked are the distribution of the normals, by the transform of each to uniform numbers,
-// whatever the map; the map, where random numbers are given and it is the monotone inverse; and the
-// density, where it is given.
+// The validator on records: samples that somebody's sampler has drawn, at configurations of its
+// author's choice. Checked are the distribution of the normals, by the transform of each to uniform
+// numbers, whatever the map; the map, where random numbers are given and it is the monotone
+// inverse; and the density, where it is given.
 #pragma once
 
 #include <cstdint>
@@ -13,27 +13,30 @@
 
 namespace vndf::validate {
 
-/// Fewer records than this see no error that is worth the name.
+/// Fewer records than this show no error that is worth the name.
 inline constexpr std::size_t kFewestRecords = 100;
-/// Largest relative error of a given density, of what it would be for a normal that faces wi.
+/// The largest relative error of a given density, of what it would be for a normal that faces wi.
 inline constexpr double kRecordDensityError = 1e-3;
 
+/// What the sampler behind the records claims, and what it is allowed.
 struct RecordOptions {
+  /// Which normals are drawn.
   SampledNormals normals = SampledNormals::visible_smith;
-  /// Whether (u1, u2) to slopes claims to be the monotone inverse of the distribution; where not
-  /// said, it does if 99 in 100 slopes x are within 1e-2 in u of it.
+  /// Whether the map from (u1, u2) to slopes claims to be the monotone inverse of the CDFs. Where
+  /// this is not said, it does if 99 in 100 slopes x are within 1e-2 of it in u.
   std::optional<bool> monotone_inverse = {};
-  /// Largest |CDF(x(u)) - u| of a map.
+  /// The largest |CDF(x(u)) - u| of a map that is the monotone inverse.
   double u_error = 1e-5;
-  /// What the distribution may differ by: that of the tables which made it.
+  /// By how much the distribution may differ: by the errors of the tables which made the records.
   DeclaredErrors declared = {};
-  /// Of the random numbers that place normals lower than kSmallestHeight.
+  /// Of the random numbers that place normals lower than kSmallestHeight (ExactDistribution).
   std::uint64_t seed = 1;
   support::Workers workers = {};
 };
 
-/// Results at single configurations, or bands of them where there are many, and over all records.
-/// Throws std::invalid_argument for fewer records than kFewestRecords.
+/// The results at single configurations, or in bands of them where there are many, and over all
+/// records. The check of the configuration or band in which a statistic is worst is called "worst
+/// group". Throws std::invalid_argument for fewer records than kFewestRecords.
 Verdict validate_records(const Records& records, const ExactSlopes& exact,
                          const RecordOptions& options);
 

@@ -1,5 +1,5 @@
-// The transform of normals to uniform numbers, against the density of normals that it must have,
-// and its ends.
+// The transform of normals to uniform numbers is compared with the density of normals, which it
+// must belong to, and is tested at its ends.
 #include "vndf/validate/exact/exact_distribution.h"
 
 #include <cmath>

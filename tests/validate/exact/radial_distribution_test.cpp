@@ -1,5 +1,5 @@
-// The distribution of the radius: against one-dimensional integrals of another kind, the closed
-// visible area, and the radial CDFs that are known.
+// The distribution of the radius is compared with one-dimensional integrals of another kind, with
+// the visible area of Cartesian slopes, and with the radial CDFs that are known in closed form.
 #include "vndf/validate/exact/radial_distribution.h"
 
 #include <cmath>

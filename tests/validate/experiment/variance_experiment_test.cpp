@@ -1,4 +1,4 @@
-// The variance experiment, and whether it notices an estimator that is wrong.
+// The variance experiment measures what is known, and notices an estimator that is wrong.
 #include "vndf/validate/experiment/variance_experiment.h"
 
 #include <cmath>

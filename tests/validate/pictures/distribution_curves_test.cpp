@@ -1,4 +1,4 @@
-// The curves of a distribution against closed forms.
+// The curves of a distribution are compared with closed forms.
 #include "vndf/validate/pictures/distribution_curves.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// The pictures of sample weights: their means against the reflectance by quadrature over normals,
-// and the bounds of Heitz and d'Eon 2014, Table 2.
+// The means of the pictures of sample weights are compared with the reflectance by quadrature over
+// normals, and their largest weights with the bounds of Heitz and d'Eon 2014, Table 2.
 #include "vndf/validate/pictures/sample_weights.h"
 
 #include <cmath>

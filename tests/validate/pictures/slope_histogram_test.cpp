@@ -1,5 +1,5 @@
-// The pictures of sampled slopes: the exact distribution against its marginals and a count of
-// points, the scatter of samples against their noise, and a mistake that must show.
+// The exact density in the pictures of sampled slopes is compared with its marginals and a count of
+// points, and the scatter of samples with their noise. A mistake must show.
 #include "vndf/validate/pictures/slope_histogram.h"
 
 #include <cmath>
@@ -21,7 +21,7 @@ SamplerUnderTest caps_of(const std::string& distribution) {
   return under_test<float>("caps", exact_slopes(distribution), CapsGgx<float>{}, Claims{});
 }
 
-/// A sampler of which only the distribution is asked.
+/// A sampler of which only the exact distribution is asked.
 SamplerUnderTest claim_of(const std::string& distribution, SampledNormals kind) {
   return under_test<float>("claim", exact_slopes(distribution), CapsGgx<float>{},
                            Claims{.normals = kind});

@@ -1,5 +1,5 @@
-// The pictures of the u-error: an error put in by hand is read off, and the validator sees the
-// same.
+// An error that is put in by hand is read off the pictures of the u-error, and the u-error check
+// sees the same.
 #include "vndf/validate/pictures/u_error_map.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// The reference samplers before the validator: the exact ones pass, and of the published ones the
-// defects that their headers state are found, as large as stated.
+// The validator passes the exact reference samplers. In the published ones it finds the defects
+// that their headers state, as large as stated.
 #include "vndf/validate/sampler/named_samplers.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// p-values against values that are known otherwise, and against counts that are drawn.
+// p-values are compared with values that are known otherwise, and with the frequencies of counts
+// that are drawn.
 #include "vndf/validate/statistics/significance.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
-// Counts of uniform numbers: what is uniform passes, and each statistic sees its own kind of error.
+// Counts of uniform numbers pass where these are uniform, and each statistic sees its own kind of
+// error.
 #include "vndf/validate/statistics/uniformity.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Check: the sampler beside an exact sampler, on the same random numbers.
+// Cross-check: the sampler beside the exact monotone map.
 #include "vndf/validate/checks/cross_check.h"
 
 #include <algorithm>
@@ -15,7 +15,8 @@ namespace {
 
 using precompute::MarginalDistribution;
 
-// Larger errors than this are not small: the derivative is then taken over this.
+// The step of the derivative is the error that is allowed, but at most this: a larger one would not
+// measure the slope at the point.
 constexpr double kLargestStep = 1e-3;
 
 struct Difference {
@@ -27,7 +28,7 @@ double angle_between(const Vec3<double>& a, const Vec3<double>& b) {
   return std::atan2(std::sqrt(dot(across, across)), dot(a, b));
 }
 
-/// Of the uniforms of two normals.
+/// The difference of two normals, given as their uniform numbers.
 double difference(const Uniforms& a, const Uniforms& b) {
   // The ends of w_phi are one azimuth; what counts is the mass that is swept within the radius.
   const double turn = std::abs(a.phi - b.phi);
@@ -35,9 +36,10 @@ double difference(const Uniforms& a, const Uniforms& b) {
   return std::max({std::abs(a.r - b.r), std::abs(a.x - b.x), swept});
 }
 
-/// What an error of 1 in u1 and one in u2 together make of the uniforms, at least 1. A radius can
-/// move by many times the error of its slope x, where less mass lies beyond that slope than beyond
-/// the radius. By differences from `here`, the uniforms at `u`, over `step` towards the middle.
+/// By how much an error of 1 in u1 and one in u2 together move the uniform numbers, at least 1. The
+/// radius can move by many times the error of its slope x, where less mass lies beyond that slope
+/// than beyond the radius. It is measured by differences from `here`, the uniform numbers at `u`,
+/// over a `step` towards the middle.
 double condition_number(const SamplerUnderTest& sampler, const Configuration& c,
                         const ExactDistribution& distribution, const RandomPair& u,
                         const Uniforms& here, double step) {

@@ -1,4 +1,4 @@
-// Check: the density and what it is made of.
+// Density check: pdf() and the functions that it is made of.
 #include "vndf/validate/checks/density_check.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ constexpr const char* kCheck = "density";
 constexpr std::size_t kNormals = 2000;     // sampled normals of each configuration
 constexpr std::size_t kDerivatives = 300;  // places of the map's derivative
 
-/// Whether the density of the map can be had.
+/// Whether the sampler lets the density of its map be found.
 bool tells_density(const SamplerUnderTest& sampler) {
   return sampler.sample_double || sampler.map_density;
 }
@@ -25,6 +25,7 @@ struct DensityErrors {
   Worst integral, pdf, d, lambda, g1, jacobian;
 };
 
+/// Measures all errors at one configuration.
 class DensityCheck {
  public:
   DensityCheck(const SamplerUnderTest& sampler, const Configuration& c)
@@ -94,8 +95,8 @@ class DensityCheck {
     return std::abs(((x2 - x1) * (y4 - y3) - (y2 - y1) * (x4 - x3)) / (4 * h1 * h2));
   }
 
-  /// The reciprocal of the map's density at `wm`, the normal at `u`: from the map, or as the
-  /// sampler says.
+  /// The reciprocal of the map's density at `wm`, the normal at `u`: by differences of the map, or
+  /// as the sampler states it.
   double area(const RandomPair& u, const Vec3<double>& wm) const {
     if (sampler_.sample_double) return distribution_.frame().jacobian(wm) * determinant(u);
     return 1 / sampler_.map_density(c_, u);

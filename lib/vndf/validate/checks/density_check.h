@@ -1,6 +1,7 @@
-// Check: the density and what it is made of. pdf integrates to 1 over the normals, is the exact
-// density of the normals that are sampled, and is 1 / |Jacobian| of the map where that is known in
-// double precision; D, Lambda and G1 agree with their definitions.
+// Density check: a renderer divides by pdf(), so it must be the density of the normals that are
+// drawn. pdf must integrate to 1 over the normals, be the exact density at sampled normals, and be
+// 1 / |Jacobian| of the map where the map is known in double precision. D, Lambda and G1, which pdf
+// and the BSDFs are made of, must agree with their definitions.
 #pragma once
 
 #include <vector>
@@ -11,6 +12,8 @@
 
 namespace vndf::validate {
 
+/// The errors of all these functions, the largest over check_configurations(), with the bounds
+/// Bounds::function_error and density_error.
 std::vector<CheckResult> check_density(const SamplerUnderTest& sampler,
                                        const support::Workers& workers);
 

@@ -1,4 +1,4 @@
-// Check: the distribution of sampled normals, by counting.
+// Distribution check, by counting.
 #include "vndf/validate/checks/distribution_check.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-// Check: the distribution of sampled normals, by counting. Every normal is transformed to uniform
-// numbers (exact_distribution.h), which are counted (uniformity.h). For every sampler, whatever its
-// map.
+// Distribution check: whether sampled normals have the distribution that is claimed. Every normal
+// is transformed to uniform numbers (exact_distribution.h), which are counted (uniformity.h). This
+// needs no map, so it is made for every sampler.
 #pragma once
 
 #include <cstdint>
@@ -13,24 +13,28 @@
 
 namespace vndf::validate {
 
+/// How much is counted, and when a count fails.
 struct DistributionCheckOptions {
-  /// Samples of each configuration. Beyond 1e8 the 24 bits of a single-precision random number
-  /// above 1/2 move one sample in 3000 to the next of the 10007 bins, and count themselves.
+  /// Samples of each configuration. More than 1e8 are of no use: above 1/2 single-precision random
+  /// numbers have 24 bits, which move one sample in 3000 to the next of the 10007 bins, and this
+  /// would be counted as an error.
   std::uint64_t samples = 2000000;
   /// Every random number follows from it, whatever the number of threads.
   std::uint64_t seed = 1;
-  /// Probability that a correct sampler fails any of the tests; Sidak's correction is made here.
+  /// Probability with which a correct sampler fails any of the tests. Sidak's correction for their
+  /// number is made here.
   double significance = kRunSignificance;
-  /// Leave out the configurations after one that fails.
+  /// Whether configurations after one that fails are left out.
   bool stop_at_first_failure = false;
   support::Workers workers = {};
 };
 
-/// Configurations at which distributions are counted: pole to horizon, smooth to rough, anisotropy
-/// to 1:500.
+/// The configurations at which density, furnace, quasi-random, cross- and distribution checks are
+/// made: from the pole to the horizon, smooth to rough, with anisotropy up to 1:500.
 const std::vector<Configuration>& check_configurations();
 
-/// p-values, the smallest over all configurations, with their bounds.
+/// One result for each statistic of uniformity.h: its smallest p-value over all configurations,
+/// with the bound that follows from the significance.
 std::vector<CheckResult> check_distribution(const SamplerUnderTest& sampler,
                                             const DistributionCheckOptions& options);
 

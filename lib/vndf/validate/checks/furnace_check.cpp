@@ -1,4 +1,4 @@
-// Check: conservation of area and of energy.
+// Furnace check: conservation of area and of energy.
 #include "vndf/validate/checks/furnace_check.h"
 
 #include <algorithm>
@@ -16,6 +16,7 @@ constexpr const char* kCheck = "furnace";
 
 /// Integral of D(wm) times `factor(wm)` over the nodes.
 template <class F>
+/// The integral of D(wm) times `factor(wm)` over the nodes.
 double integral(const SamplerUnderTest& sampler, const Configuration& c,
                 const NormalQuadrature& nodes, F factor) {
   std::vector<double> d(nodes.wm.size());
@@ -37,8 +38,8 @@ double visible_area_error(const SamplerUnderTest& sampler, const Configuration& 
   return std::abs(area * sampler.g1(c) / c.wi.z - nodes.covered);
 }
 
-/// G2 both ways between the direction of `c` and all others, of either side, for a few facets that
-/// are seen from it.
+/// Compares G2 both ways between the direction of `c` and all others, above and below the horizon,
+/// for a few facets that are seen from it.
 void see_reciprocity(const SamplerUnderTest& sampler, const Configuration& c, Worst& worst) {
   constexpr std::size_t kFacets = 16;
   std::vector<RandomPair> u(kFacets);
@@ -56,7 +57,7 @@ void see_reciprocity(const SamplerUnderTest& sampler, const Configuration& c, Wo
     }
 }
 
-/// Outgoing directions with the solid angle that each stands for.
+/// Outgoing directions, each with the solid angle that it stands for.
 struct Outgoing {
   std::vector<Vec3<double>> wo;
   std::vector<double> weight;
@@ -68,7 +69,7 @@ struct Outgoing {
   }
 };
 
-/// What the facets of `nodes` send up, and down.
+/// The directions into which the facets of `nodes` reflect.
 Outgoing reflected(const Configuration& c, const NormalQuadrature& nodes) {
   Outgoing out;
   for (std::size_t k = 0; k < nodes.wm.size(); ++k) {
@@ -78,6 +79,7 @@ Outgoing reflected(const Configuration& c, const NormalQuadrature& nodes) {
   }
   return out;
 }
+/// The directions into which the facets of `nodes`, of glass, refract.
 Outgoing refracted(const Configuration& c, const NormalQuadrature& nodes) {
   Outgoing out;
   for (std::size_t k = 0; k < nodes.wm.size(); ++k) {
@@ -91,6 +93,7 @@ Outgoing refracted(const Configuration& c, const NormalQuadrature& nodes) {
 }
 
 template <class Bsdf>
+/// The energy that `bsdf` sends into the directions `out`.
 double energy(const Bsdf& bsdf, const Configuration& c, const Outgoing& out) {
   std::vector<double> f(out.wo.size());
   bsdf(c, out.wo, f);
@@ -99,13 +102,13 @@ double energy(const Bsdf& bsdf, const Configuration& c, const Outgoing& out) {
   return sum;
 }
 
-/// What is sent out beyond what comes in.
+/// Energy that is sent out beyond what comes in.
 struct Excess {
   Worst mirror, glass;
 };
 
 void see_energy(const SamplerUnderTest& sampler, const Configuration& c, Excess& excess) {
-  // All normals scatter as those that are seen.
+  // Where all normals are drawn, too, only those that are seen scatter light.
   const bool cavities = sampler.claims.normals == SampledNormals::visible_v_cavity;
   const auto nodes = normal_quadrature(
       *sampler.exact, cavities ? SampledNormals::visible_v_cavity : SampledNormals::visible_smith,
@@ -113,7 +116,7 @@ void see_energy(const SamplerUnderTest& sampler, const Configuration& c, Excess&
   const Outgoing up = reflected(c, nodes), down = refracted(c, nodes);
   const double mirror = energy(sampler.mirror, c, up);
   const double glass = energy(sampler.glass, c, up) + energy(sampler.glass, c, down);
-  // What is not a number stays so.
+  // An energy that is not a number stays so, and fails.
   excess.mirror.see(mirror <= 1 ? 0 : mirror - 1, place_of(c));
   excess.glass.see(glass <= 1 ? 0 : glass - 1, place_of(c));
 }

@@ -1,4 +1,4 @@
-// Check: inputs at the edges of their ranges.
+// Hard cases: inputs at the edges of their ranges.
 #include "vndf/validate/checks/hard_cases.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ constexpr const char* kCheck = "hard cases";
 constexpr double kLargestDensity = 1e36;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// D / (wi.z G1): the density of a normal that faces wi.
+/// D / (wi.z G1), the density of a normal that faces wi.
 double facing_density(const SamplerUnderTest& sampler, const Configuration& c,
                       const Vec3<double>& wm) {
   return sampler.exact->d(wm, c.alpha) / sampler.exact->visible_area(c.wi, c.alpha);
@@ -35,7 +35,8 @@ void measure(const SamplerUnderTest& sampler, const Configuration& c, const Rand
       1 + std::max(c.alpha.x, c.alpha.y) * sampler.exact->unit_slopes().mean_slope();
   if (sampler.claims.normals != SampledNormals::all)
     errors.facing.see(std::max(0.0, -dot(c.wi, wm)) / stretch, place);
-  // A density that is beyond single precision, as at the horizon of a heavy tail, is no error.
+  // At the horizon of a heavy tail the density itself is beyond single precision, and infinite is
+  // then no error.
   if (wm.z > 0 && !(facing_density(sampler, c, wm) < kLargestDensity)) return;
   double pdf = 0;
   sampler.pdf(c, {&wm, 1}, {&pdf, 1});

@@ -1,4 +1,4 @@
-// One row of a map under test.
+// One row of the map of a sampler under test.
 #include "vndf/validate/checks/map_row.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ RoundedConditional::RoundedConditional(const precompute::UnitSlopes& slopes, dou
     : conditionals_{ExactConditional(slopes, x), ExactConditional(slopes, x * (1 - kSlopeRounding)),
                     ExactConditional(slopes, x * (1 + kSlopeRounding))} {}
 
-/// Distance from 0 of the interval of errors that the CDFs at `y` give.
+/// The distance from 0 of the interval of errors that the CDFs near `y` give.
 template <class F>
 double RoundedConditional::least(double y, F error_of) const {
   double low = error_of(conditionals_[0].cdf(y)), high = low;

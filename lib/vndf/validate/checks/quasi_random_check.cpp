@@ -1,4 +1,4 @@
-// Check: the distribution of normals sampled at quasi-random points.
+// Quasi-random check: the distribution of normals that are sampled at quasi-random points.
 #include "vndf/validate/checks/quasi_random_check.h"
 
 #include <algorithm>

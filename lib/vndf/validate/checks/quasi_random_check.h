@@ -1,7 +1,7 @@
-// Check: the distribution of normals sampled at quasi-random points, without random numbers. The
-// distance between the exact and the empirical CDF of each uniform variable (uniformity.h) falls
-// almost like 1 / n for quasi-random points, where random ones give 1 / sqrt(n): a million show an
-// error in u of 2e-4, ten million one of 3e-5, whatever the map.
+// Quasi-random check: the distribution of normals that are sampled at quasi-random points. The
+// distance between the exact and the empirical CDF of each uniform number (uniformity.h) falls
+// almost like 1 / n for such points, where random ones give 1 / sqrt(n). A million points therefore
+// show an error in u of 2e-4 and ten million one of 3e-5, whatever the map.
 #pragma once
 
 #include <cstddef>
@@ -13,11 +13,13 @@
 
 namespace vndf::validate {
 
-/// Distance that n quasi-random points of an exact sampler leave is below kQuasiRandomError /
-/// n^(3/4), the error of counting lattice points in a region with a curved edge. Measured up
-/// to 3.1, of spherical caps.
+/// The distance that n quasi-random points of an exact sampler leave is below kQuasiRandomError /
+/// n^(3/4), the error of counting lattice points in a region with a curved edge. The largest that
+/// was measured is 3.1, of spherical caps.
 inline constexpr double kQuasiRandomError = 5;
 
+/// The largest distance of each uniform number over check_configurations(), `points` samples at
+/// each. The bound is the u-error that is allowed or declared, and what quasi-random points leave.
 std::vector<CheckResult> check_quasi_random(const SamplerUnderTest& sampler, std::size_t points,
                                             const support::Workers& workers);
 

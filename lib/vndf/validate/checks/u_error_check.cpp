@@ -1,4 +1,4 @@
-// Check: the map from random numbers to normals, without random numbers.
+// U-error check: the map from random numbers to normals.
 #include "vndf/validate/checks/u_error_check.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ constexpr double kSmallestU = 1e-9;    // towards 0; towards 1 single precision 
 constexpr double kTailMass = 0x1p-20;  // of the tails whose ratio is checked
 constexpr int kHalvings = 24;
 
-/// Single-precision numbers in (0, 1), increasing.
+/// Single-precision numbers in (0, 1), in increasing order.
 std::vector<double> places(std::size_t count) {
   std::vector<double> list;
   for (std::size_t k = 0; k < count; ++k) list.push_back(to_single(support::golden(k)));
@@ -35,7 +35,7 @@ std::vector<double> places(std::size_t count) {
   return list;
 }
 
-/// Errors of one slope, apart for the tails: there published samplers end.
+/// Errors of one slope, apart for the tails, where published samplers end.
 struct SlopeErrors {
   Worst body, tails;
 
@@ -53,7 +53,7 @@ struct MapErrors {
   Worst ratio_x, ratio_y, backward, jump;
 };
 
-/// One row of the map: all u1 at one incidence.
+/// Measures one row of the map: all u1 at one incidence.
 class Row {
  public:
   Row(const SamplerUnderTest& sampler, const Configuration& configuration)
@@ -100,7 +100,7 @@ class Row {
     if (worst_change > 0) follow_jump(from, to, u2);
   }
 
-  /// Halves the interval in which the CDF gains most on u until its ends are neighbours: a
+  /// Halves the interval in which the CDF gains most on u until its ends are neighbours. A
   /// continuous map has gained nothing there.
   void follow_jump(double from, double to, double u2) {
     const auto gain = [&](double low, double high) {

@@ -1,7 +1,9 @@
-// Check: the map from random numbers to normals, without random numbers. |CDF(x(u)) - u| over
+// U-error check: whether the map from random numbers to normals is the monotone inverse of the
+// distribution, which stratified and quasi-random numbers rely on. It measures |CDF(x(u)) - u| over
 // incidence and u with both tails, where x is the slope of the normal that was returned, so that
-// its rounding counts: first of the marginal, then of the conditional at the slope x that was
-// sampled. Only for samplers that claim to be the monotone inverse of the distribution.
+// its rounding counts: first for the marginal, then for the conditional at the slope x that was
+// sampled. No random numbers are needed, so errors of 1e-5 are seen. Only for samplers that claim
+// the map.
 #pragma once
 
 #include <vector>
@@ -12,27 +14,29 @@
 
 namespace vndf::validate {
 
+/// How many places are checked.
 struct UErrorOptions {
-  /// Golden places of u1 in each row; as many again lie in the tails and the octaves.
+  /// Places of u1 in each row by the golden sequence; as many again are in the tails.
   std::size_t places = 500;
   /// Slopes x in each row at which the conditional is checked, some milliseconds each.
   std::size_t slopes = 8;
-  /// Check only every n-th incidence.
+  /// Only every n-th incidence is checked.
   std::size_t stride = 1;
   support::Workers workers = {};
 };
 
-/// Largest step of the CDF that the map may make back, or at once forward, between neighbouring
-/// single-precision random numbers: the rounding of the normal.
+/// The largest step of the CDF that the map may make back, or forward at once, between neighbouring
+/// random numbers of single precision: the rounding of the normal.
 inline constexpr double kStep = 4e-6;
 
-/// u-errors of both slopes, with u within [2^-20, 1 - 2^-20] and in the tails beyond; the mass of
-/// the tails; order and continuity.
+/// The u-errors of both slopes, apart for u within [2^-20, 1 - 2^-20] and for the tails beyond,
+/// where published samplers end; the mass of the tails beyond u = 2^-20; and whether the map is
+/// monotone and continuous. Bounds: Bounds::u_error, Bounds::tail_error and kStep.
 std::vector<CheckResult> check_u_error(const SamplerUnderTest& sampler,
                                        const UErrorOptions& options);
 
-/// Configurations at which maps are checked, azimuths along the axes and roughness 1 unless said:
-/// the stretch and the rotation then add no rounding to the slopes.
+/// The configurations at which maps are checked. Most have roughness 1 and an azimuth along an
+/// axis, so that stretch and rotation add no rounding to the slopes.
 std::vector<Configuration> inverse_configurations();
 
 }  // namespace vndf::validate

@@ -1,14 +1,30 @@
-// The exact distribution of sampled normals, as a transform to independent uniform numbers
-// (Rosenblatt 1952) in polar coordinates of the stretched slopes:
+// The exact distribution of sampled normals, as a transform of each normal to independent uniform
+// numbers (Rosenblatt 1952) in polar coordinates of the stretched slopes:
 //
-//   w_r    the CDF of the radius r; 0 at the pole of the stretched hemisphere, 1 at its horizon
-//   w_phi  the CDF of the azimuth given r, closed: with psi = pi - |phi|,
-//          1/2 (cos t psi + r sin t sin psi) / (cos t psi0 + r sin t sin psi0) on the side phi > 0,
-//          1 minus that on the other; the edge of visibility is in the middle
+//   w_r    the CDF of the radius r: 0 at the pole of the stretched hemisphere, 1 at its horizon
+//   w_phi  the CDF of the azimuth given r, in closed form: with psi = pi - |phi|,
+//          1/2 (cos t psi + r sin t sin psi) / (cos t psi0 + r sin t sin psi0) on the side phi > 0
+//          and 1 minus that on the other, so that the edge of visibility is in the middle
 //
-// Equal cells of the unit square are cells of equal probability on the hemisphere. Any sampler of
-// the distribution must fill them evenly, whatever its map from random numbers. The table builder's
-// own variable, w_x, the CDF of the Cartesian slope x, is checked beside them.
+// Equal cells of the unit square are then cells of equal probability on the hemisphere. Any sampler
+// of the distribution must fill them equally, whatever its map from random numbers is. A third
+// number, w_x, is the CDF of the Cartesian slope x, in which the tables are built.
+//
+// The validator must not repeat a mistake of the table builder, so w_r and w_phi are its own:
+// neither the builder's CDFs nor its root finding occur in them. Three things are shared.
+//
+//   distributions::SlopeDistribution   p22(r), which defines what is right. A wrong formula there
+//                                      is a right sampler of another distribution.
+//   precompute::UnitSlopes             the mean slope, by which both scale; Q, M and the projected
+//                                      area of backfacing slopes, in Lambda and in radial_cdf().
+//                                      Tests compare them with closed forms and with reference
+//                                      values of another program, and the area with the polar one
+//                                      (RadialDistribution::visible_area()), to 1e-9.
+//   precompute::MarginalDistribution   w_x, because the u-error is stated for the slope x. Tests
+//                                      compare it with reference values and with integrals of the
+//                                      density over cells. A sampler that agrees with a wrong w_x
+//                                      has a wrong distribution of (r, phi) too, which determines
+//                                      that of x, and fails the counts of w_r and w_phi.
 #pragma once
 
 #include <memory>
@@ -20,24 +36,29 @@
 
 namespace vndf::validate {
 
-/// Which normals a sampler claims to draw.
+/// The normals that a sampler claims to draw.
 enum class SampledNormals {
   visible_smith,     ///< D_wi of Smith's surface (Heitz and d'Eon 2014, equation 2)
   visible_v_cavity,  ///< D_wi of V-cavities: weight min(dot(wi, wm)+, 2 wi.z wm.z) / wi.z
   all                ///< D(wm) wm.z, whatever wi (Algorithm 1)
 };
 
-/// A slope distribution with everything that its distributions at all configurations share.
+/// A slope distribution with what its normals have in common at all configurations. It is made once
+/// and shared by all samplers of one distribution.
 class ExactSlopes {
  public:
-  /// Integrates `distribution` (some 0.1 s). Throws std::domain_error as UnitSlopes does.
+  /// Integrates `distribution`, which takes some 0.1 s. Throws std::domain_error, as
+  /// precompute::UnitSlopes does, where its slopes have no finite mass or mean.
   explicit ExactSlopes(std::unique_ptr<const distributions::SlopeDistribution> distribution);
 
+  /// The slopes in units of their mean.
   const precompute::UnitSlopes& unit_slopes() const { return slopes_; }
-  /// The distribution of the radius of all slopes.
+  /// The distribution of the radius of all slopes, visible or not.
   const RadialDistribution& all_radii() const { return all_radii_; }
 
-  /// D(wm), Smith's Lambda(w) and G1(w), straight from their definitions.
+  /// D(wm) per solid angle, Smith's Lambda(w) and G1(w) from their definitions, at roughness
+  /// `alpha` > 0. `wm` and `w` are unit vectors; D is 0 for wm.z <= 0. Valid for w.z >= 0, where
+  /// Lambda is infinite and G1 is 0 at the horizon.
   double d(const Vec3<double>& wm, const Alpha<double>& alpha) const;
   double lambda(const Vec3<double>& w, const Alpha<double>& alpha) const;
   double g1(const Vec3<double>& w, const Alpha<double>& alpha) const;
@@ -50,24 +71,26 @@ class ExactSlopes {
   RadialDistribution all_radii_;
 };
 
-/// A normal as a slope (x / w, y / w) in the frame of the stretched incident direction, in units of
-/// the mean slope.
+/// The slope (x / w, y / w) of a normal in the frame of the stretched incident direction, in units
+/// of the mean slope. It is kept as a fraction because w is 0 at the horizon.
 struct StretchedSlope {
   double x, y, w;
   double horizontal() const { return std::hypot(x, y); }
 };
 
-/// The frame of the stretched incident direction.
+/// The frame in which the stretched incident direction has no y: there slopes of every roughness
+/// and azimuth have one distribution for each cotangent.
 class StretchedFrame {
  public:
   StretchedFrame(const ExactSlopes& exact, const Configuration& configuration);
 
   /// Cotangent of the stretched incident direction.
   const BoundedSlope<double>& cotangent() const { return cotangent_; }
+  /// The slope of the unit normal `wm`.
   StretchedSlope slope_of(const Vec3<double>& wm) const;
-  /// Unit normal of a slope; inverse of slope_of().
+  /// The unit normal of a slope, the inverse of slope_of().
   Vec3<double> normal_of(const StretchedSlope& slope) const;
-  /// Density of slopes per density of normals: d(solid angle) / d(slope) at `wm`.
+  /// d(solid angle) / d(slope) at `wm`: the density of slopes is that of normals times this.
   double jacobian(const Vec3<double>& wm) const;
 
  private:
@@ -75,40 +98,41 @@ class StretchedFrame {
   BoundedSlope<double> cotangent_;
 };
 
-/// The uniform numbers of one normal.
+/// The uniform numbers w_r, w_phi and w_x of one normal, in [0, 1].
 struct Uniforms {
   double r, phi, x;
 };
 
-/// Below this height wm.z of a single-precision normal has lost its relative precision or is 0:
-/// where beyond it a slope lies cannot be carried. The twofold of the smallest normal number.
+/// The smallest height wm.z from which a slope follows, twice the smallest normal number of single
+/// precision. A lower one has lost its relative precision or is 0, and tells only that the slope is
+/// beyond.
 inline constexpr double kSmallestHeight = 2 * 0x1p-126;
 
-/// For how many normals of one configuration a distribution is made.
+/// For how many normals of one configuration an ExactDistribution is made.
 enum class Use {
-  many,  ///< the exact of the radius is tabulated first, some milliseconds
-  few    ///< each radius is an integral of its own, some 10 microseconds
+  many,  ///< the CDF of the radius is tabulated first, which takes some milliseconds
+  few    ///< each radius is an integral of its own, of some 10 microseconds
 };
 
+/// The exact distribution of the normals of `kind` at one configuration.
 class ExactDistribution {
  public:
-  /// `distribution` must outlive this object.
+  /// `exact` must outlive this object.
   ExactDistribution(const ExactSlopes& exact, SampledNormals kind,
                     const Configuration& configuration, Use use = Use::many);
 
   const StretchedFrame& frame() const { return frame_; }
 
-  /// The transform of a unit normal, wm.z >= 0. A normal lower than kSmallestHeight is known to lie
-  /// beyond a slope and no more: `v`, a uniform random number, places it in the mass that the
-  /// distribution has there, so that this mass is checked and nothing is hidden (the randomised
-  /// transform for distributions with atoms). Maximum error kRadialError, and the rounding of the
-  /// normal.
+  /// The transform of a unit normal with wm.z >= 0. A normal lower than kSmallestHeight is only
+  /// known to lie beyond a slope. The uniform random number `v` then places it in the mass that the
+  /// distribution has there, so that this mass is counted too (the randomised transform of
+  /// distributions with atoms). Maximum error: kRadialError and the rounding of the normal.
   Uniforms uniforms(const Vec3<double>& wm, double v) const;
 
-  /// Density per solid angle.
+  /// The density of normals per solid angle at the unit vector `wm`; 0 where it is not seen.
   double pdf(const Vec3<double>& wm) const;
-  /// The density that `wm` would have if it faced wi: what the rounding of dot(wi, wm) is relative
-  /// to.
+  /// The density that `wm` would have if it faced wi. An error of the density is told relative to
+  /// it, because dot(wi, wm) is rounded by a part of 1, not of itself.
   double facing_pdf(const Vec3<double>& wm) const;
 
  private:

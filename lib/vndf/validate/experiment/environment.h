@@ -1,5 +1,5 @@
-// Light from far away as a function of direction, for experiments: smooth, or with a small bright
-// lamp.
+// The light of experiments, which comes from far away as a function of direction: smooth, or with a
+// small bright lamp.
 #pragma once
 
 #include <cmath>
@@ -11,8 +11,8 @@
 
 namespace vndf::validate {
 
-/// L(w) = 1 + gradient.w + brightness exp(sharpness (lamp.w - 1)), |gradient| <= 1 and lamp a unit
-/// vector.
+/// L(w) = 1 + gradient.w + brightness exp(sharpness (lamp.w - 1)), where |gradient| <= 1 and lamp
+/// is a unit vector.
 struct Environment {
   std::string name;
   Vec3<double> gradient{0, 0, 0};
@@ -20,6 +20,7 @@ struct Environment {
   double brightness = 0;
   double sharpness = 1;
 
+  /// The radiance from the unit direction `w`.
   double radiance(const Vec3<double>& w) const {
     return 1 + dot(gradient, w) + brightness * std::exp(sharpness * (dot(lamp, w) - 1));
   }

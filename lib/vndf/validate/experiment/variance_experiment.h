@@ -1,5 +1,5 @@
 // The convergence experiment of Heitz and d'Eon 2014 (Figure 10): one pixel of a rough metal, seen
-// from a fixed direction under a given light, estimated with N samples over and over. All
+// from a fixed direction under a given light, is estimated with N samples over and over. All
 // estimators of one surface have the same mean; what tells them apart is how far a pixel of N
 // samples strays from it.
 #pragma once
@@ -19,26 +19,27 @@
 
 namespace vndf::validate {
 
+/// What is seen, and with how many samples.
 struct VarianceOptions {
-  /// The incident direction, from the normal and around it, in degrees; theta in [0, 90].
+  /// The incident direction: its angle from the normal, in [0, 90], and around it, in degrees.
   double theta = 80, azimuth = 0;
   Alpha<double> alpha{0.5, 0.5};
   ComplexIndex<double> metal{0.2, 3.0};
   Environment light = smooth_environment();
-  /// For each estimator; rounded up to whole blocks of kBlockSamples.
+  /// Samples of each estimator, rounded up to whole blocks of kBlockSamples.
   std::uint64_t samples = 1 << 20;
-  /// Results depend on it, not on the number of threads.
+  /// Results depend on it, and not on the number of threads.
   std::uint64_t seed = 1;
-  /// 0: one for each processor.
+  /// Number of threads; 0 for one on each processor.
   unsigned threads = 0;
 };
 
-/// Pixels of 4^k samples, for k from 0 to kLevels - 1, all from the same stream of samples.
+/// Pixels of 4^k samples for k from 0 to kLevels - 1, all from the same stream of samples.
 class PixelPyramid {
  public:
   static constexpr std::size_t kChildren = 4, kLevels = 9;
 
-  /// One sample of radiance.
+  /// Adds one sample of radiance.
   void add(double value) {
     for (Level& level : levels_) {
       level.pixels.add(value);
@@ -50,12 +51,12 @@ class PixelPyramid {
     }
   }
 
-  /// Joins a pyramid; both hold whole pixels of the highest level.
+  /// Joins another pyramid. Both hold whole pixels of the highest level.
   void merge(const PixelPyramid& other) {
     for (std::size_t k = 0; k < kLevels; ++k) levels_[k].pixels.merge(other.levels_[k].pixels);
   }
 
-  /// Of pixels of 4^level samples.
+  /// The moments of pixels of 4^level samples.
   const Moments& pixels(std::size_t level) const { return levels_[level].pixels; }
 
  private:
@@ -76,7 +77,7 @@ struct Tally {
   double largest_weight = 0;
   std::uint64_t lost = 0;  ///< samples of weight 0
 
-  /// One sample: its weight, and the direction from which light is asked.
+  /// Adds one sample: its weight, and the direction from which light comes.
   void add(double weight, const Vec3<double>& wo, const Environment& light);
   void merge(const Tally& other);
 };
@@ -86,7 +87,7 @@ struct Estimator {
   std::string name;
   std::string surface;  ///< estimators of one surface are of one BRDF, and have one mean
   bool visible;         ///< draws visible normals, so that no weight is above 1
-  /// kBlockSamples samples.
+  /// Draws kBlockSamples samples.
   std::function<Tally(const VarianceOptions&, BlockRandom)> run_block;
 };
 
@@ -114,17 +115,17 @@ requires NormalSampler<Sampler, double> Estimator make_estimator(std::string nam
   return {std::move(name), std::move(surface), Sampler::kVisible, run_block};
 }
 
-/// What the experiment finds of one estimator.
+/// What the experiment measured of one estimator.
 struct EstimatorResult {
   std::string name, surface;
   bool visible;
   Tally tally;
-  /// Variance of the surface's first estimator over that of this one: above 1, this one is better.
+  /// Variance of the surface's first estimator over that of this one. Above 1, this one is better.
   double gain;
   /// The same against the surface's first estimator by visible normals; 0 where there is none.
   double gain_over_visible;
-  /// Mean less that of the other estimators of the surface together, in standard errors; 0 if
-  /// alone.
+  /// Its mean less that of the other estimators of the surface together, in standard errors; 0 if
+  /// it is alone.
   double deviation;
 
   const Moments& samples() const { return tally.pyramid.pixels(0); }

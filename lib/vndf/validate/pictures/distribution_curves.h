@@ -7,19 +7,22 @@
 
 namespace vndf::validate {
 
+/// One function over an axis, at places that are the same for both values.
 struct Curve {
-  double alpha;  ///< along x and y
+  double alpha;  ///< roughness along x and y
   std::vector<double> at = {}, exact = {}, sampler = {};
 };
 
+/// All curves of one sampler.
 struct DistributionCurves {
-  /// Over the slope radius, at roughness 1, logarithmic: from a hundredth of the mean slope to
-  /// where 1e-6 of the slopes lie beyond, or to the largest.
+  /// p22 over the slope radius, at roughness 1. The places are equally far apart in log r, from a
+  /// hundredth of the mean slope to the largest slope, or to where 1e-6 of the slopes lie beyond.
   Curve p22;
   std::vector<Curve> lambda;  ///< over theta in degrees, 0.5 to 89.5, for each of the roughnesses
   std::vector<Curve> d;       ///< over the angle of wm in degrees, 0 to 89.5, likewise
 };
 
+/// The curves of `sampler` at each of `roughnesses` > 0, with `places` >= 2 values each.
 DistributionCurves distribution_curves(const SamplerUnderTest& sampler,
                                        const std::vector<double>& roughnesses, std::size_t places);
 

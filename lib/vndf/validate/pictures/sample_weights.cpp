@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 1;  // a picture is the same in every run
 
-/// G2 D dot(wi, wm)+ / (wi.z pdf(wm)): the weight for normals of density `pdf`.
+/// G2 D dot(wi, wm)+ / (wi.z pdf(wm)): the weight of a normal that is drawn with density `pdf`.
 double weight_of(const SamplerUnderTest& sampler, const Configuration& c, const Vec3<double>& wm,
                  double d, double pdf) {
   const double cosine = dot(c.wi, wm);
@@ -20,7 +20,7 @@ double weight_of(const SamplerUnderTest& sampler, const Configuration& c, const 
   return sampler.g2(c.alpha, c.wi, wo, wm) * cosine / c.wi.z * (d / pdf);
 }
 
-/// A random point of each cell of row `j`: the last digits of the middles of cells are all alike,
+/// A random point of each cell of row `j`. The last digits of the middles of cells are all alike,
 /// and some samplers take them for a third random number.
 std::vector<RandomPair> places_in_row(std::size_t j, std::size_t cells) {
   BlockRandom random(kSeed, 0, j);
@@ -33,7 +33,7 @@ std::vector<RandomPair> places_in_row(std::size_t j, std::size_t cells) {
   return u;
 }
 
-/// Normals that are drawn for `drawn_for`; `pdf_of(c, wm, d)` is their density.
+/// The weights at `c` of normals that are drawn for `drawn_for`, whose density is `pdf_of(wm, d)`.
 template <class Pdf>
 SampleWeights weights(const SamplerUnderTest& sampler, const Configuration& c,
                       const Configuration& drawn_for, std::size_t cells, Pdf pdf_of) {

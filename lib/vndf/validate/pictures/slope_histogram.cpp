@@ -24,8 +24,8 @@ struct Square {
   double x, y, side;  // the lower left corner
 };
 
-/// Integrals of the exact density of slopes over squares. A square in which it jumps, has a kink or
-/// a pole is divided into four, and these again, kDivisions times.
+/// Integrals of the exact density of slopes over squares. A square in which the density jumps, has
+/// a kink or a pole is divided into four, and these again, kDivisions times.
 class SlopeMass {
  public:
   SlopeMass(const SamplerUnderTest& sampler, const Configuration& c)

@@ -1,4 +1,4 @@
-// The u-error of a map as a picture.
+// The u-error as a picture.
 #include "vndf/validate/pictures/u_error_map.h"
 
 #include <cmath>
@@ -9,8 +9,8 @@
 namespace vndf::validate {
 namespace {
 
-/// `count` >= 2 numbers from `low` to `high`.
-std::vector<double> even_places(double low, double high, std::size_t count) {
+/// `count` >= 2 numbers from `low` to `high`, equally far apart.
+std::vector<double> equidistant(double low, double high, std::size_t count) {
   std::vector<double> list(count);
   for (std::size_t k = 0; k < count; ++k)
     list[k] = low + (high - low) * (static_cast<double>(k) / static_cast<double>(count - 1));
@@ -21,14 +21,14 @@ std::vector<double> even_places(double low, double high, std::size_t count) {
 
 std::vector<double> logit_places(std::size_t count) {
   const double end = std::log((1 - kSmallestShownU) / kSmallestShownU);
-  std::vector<double> list = even_places(-end, end, count);
+  std::vector<double> list = equidistant(-end, end, count);
   for (double& v : list) v = to_single(1 / (1 + std::exp(-v)));
   return list;
 }
 
 UErrorMap marginal_error_map(const SamplerUnderTest& sampler, std::size_t rows, std::size_t columns,
                              const support::Workers& workers) {
-  UErrorMap map{even_places(0, 90, rows), logit_places(columns), Grid(columns, rows, kUnknown)};
+  UErrorMap map{equidistant(0, 90, rows), logit_places(columns), Grid(columns, rows, kUnknown)};
   support::parallel_for(rows, workers, [&](std::size_t j) {
     const Configuration c = at_angles(map.row[j], 0, 1, 1);
     if (!sampler.claims.inverse_at(c)) return;

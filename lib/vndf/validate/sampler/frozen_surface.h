@@ -1,6 +1,7 @@
-// The surface of one roughness, stretched: for samplers of all normals whose own alpha does more
-// than stretch (Blinn-Phong, generalised Trowbridge-Reitz), so that they too can be checked by the
-// exact distributions of slopes, which are those of one shape (Heitz and d'Eon 2014, section 2).
+// The surface that a sampler has at one roughness, stretched. The own alpha of Blinn-Phong and of
+// generalised Trowbridge-Reitz does more than stretch the slopes, but the exact distributions are
+// those of one shape (Heitz and d'Eon 2014, section 2). Frozen at one roughness and stretched from
+// there, these samplers of all normals can be checked too.
 #pragma once
 
 #include <cmath>
@@ -18,7 +19,7 @@ class FrozenSurface {
   using Scalar = T;
   static constexpr bool kVisible = false;
 
-  /// The surface that `sampler` has at the roughness `frozen`, in both directions.
+  /// The surface that `sampler` has at the roughness `frozen` in both directions.
   FrozenSurface(NdfSampler sampler, T frozen)
       : sampler_(std::move(sampler)), frozen_{frozen, frozen} {}
 

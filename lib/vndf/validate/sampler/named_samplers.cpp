@@ -1,4 +1,4 @@
-// The reference samplers that can be checked by name.
+// The reference samplers that can be validated by name.
 #include "vndf/validate/sampler/named_samplers.h"
 
 #include <algorithm>
@@ -26,17 +26,17 @@
 namespace vndf::validate {
 namespace {
 
-/// Of the samplers that have no alpha which only stretches.
+/// The roughness at which samplers are frozen whose alpha does more than stretch.
 constexpr double kFrozenAlpha = 0.5;
 
-/// An entry of the list: `in_single` and `in_double`, one sampler in both precisions.
+/// An entry of the list, where `in_single` and `in_double` are one sampler in both precisions.
 template <NormalSampler<float> S, NormalSampler<double> D>
 NamedSampler entry(std::string name, const std::string& distribution, const Claims& claims,
                    const S& in_single, const D& in_double) {
   return {std::move(name), distribution,
           [distribution] { return distributions::parse_distribution(distribution); },
-          [=](std::string sampler, std::shared_ptr<const ExactSlopes> exact) {
-            return under_test(std::move(sampler), std::move(exact), in_single, in_double, claims);
+          [=](std::string label, std::shared_ptr<const ExactSlopes> exact) {
+            return under_test(std::move(label), std::move(exact), in_single, in_double, claims);
           }};
 }
 
@@ -82,7 +82,7 @@ NamedSampler gtr_1_5() {
 std::vector<NamedSampler> all_samplers() {
   const Claims map{.monotone_inverse = true}, visible{}, all{.normals = SampledNormals::all},
       cavities{.normals = SampledNormals::visible_v_cavity, .smooth = false};
-  // Within its cone the sampler takes polar coordinates.
+  // Within a cone around normal incidence the sampler takes polar coordinates.
   const Claims map_outside_cone{
       .monotone_inverse = true,
       .inverse_from = std::acos(GgxAnalyticMethod::kNormalIncidence) / kDegree};

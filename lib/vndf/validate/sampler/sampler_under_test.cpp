@@ -1,4 +1,4 @@
-// Tables as a sampler.
+// Tables as a sampler under test.
 #include "vndf/validate/sampler/sampler_under_test.h"
 
 #include <algorithm>
@@ -11,14 +11,15 @@
 namespace vndf::validate {
 namespace {
 
+/// Certificates are measured at other places than those that are checked here.
 constexpr double kOtherPlaces = 1.25;
 /// Rounding of a single-precision normal in u, and of the functions (Bounds::function_error).
 constexpr double kRoundingUError = 1e-6;
 
-/// Certificates give tail mass ratios up to this, either way: it stands for any larger one too.
+/// The largest tail mass ratio of a certificate, either way. It stands for any larger one too.
 constexpr double kLargestRatio = 8;
 
-/// Largest |sampled / exact mass - 1|, of the ratio either way; infinite where it is not known.
+/// The largest |sampled / exact mass - 1|, of the ratio either way; infinite where it is not known.
 double farthest_ratio(const Certificate& c) {
   double farthest = 1;
   for (const TableErrors* table : {&c.marginal, &c.conditional})
@@ -30,8 +31,9 @@ double farthest_ratio(const Certificate& c) {
                                               : std::numeric_limits<double>::infinity();
 }
 
-/// Root mean square of the density error that errors of `u_error` in u make: interpolation errors
-/// swing once in a cell. Rows differ, by less than the factor 3.
+/// The root mean square of the density error that errors of `u_error` in u make. Errors of
+/// interpolation swing once in a cell, which gives the factor 2 pi times the number of cells. Rows
+/// differ from the mean by less than the factor 3.
 double density_of(double u_error, std::size_t columns) {
   constexpr double kRows = 3;
   return kRows * 2 * std::numbers::pi * static_cast<double>(columns) * u_error;
@@ -43,8 +45,8 @@ std::size_t columns_of(const KernelHeader& header) {
   return std::size_t{4} << (23 - header.marginal.shift);
 }
 
-/// Baked tables, which need not outlive it, in the shape of a sampler of either precision. All is
-/// computed in single precision; in double only what a BSDF makes of it.
+/// Baked tables in the shape of a sampler of either precision, with a share of their data. All is
+/// computed in single precision; only what a BSDF makes of it is in double.
 template <class T>
 class SharedKernel {
  public:

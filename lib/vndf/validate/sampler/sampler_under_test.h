@@ -1,5 +1,5 @@
-// A sampler under test, whatever its type: its functions behind std::function, called per
-// batch of samples so that the indirection costs nothing, and what it claims.
+// A sampler under test, whatever its type: its functions behind std::function, and what it claims.
+// The functions take a batch of samples, so that the indirection costs nothing beside the sampling.
 #pragma once
 
 #include <cmath>
@@ -21,37 +21,39 @@
 
 namespace vndf::validate {
 
-/// What a sampler must keep to pass.
+/// The errors that a sampler may have and still pass.
 struct Bounds {
-  /// |CDF(x(u)) - u|. A sampler without tables is to be right to 1e-5: ten times the rounding of a
-  /// single-precision normal, and below what 1e10 samples of it could show in an image.
+  /// |CDF(x(u)) - u|. A sampler without tables must be right to 1e-5: ten times the rounding of a
+  /// single-precision normal, and less than 1e10 samples of it could show in an image.
   double u_error = 1e-5;
-  /// |sampled / exact mass - 1| of a tail of 2^-20 (1e-6): four of whose single-precision random
-  /// numbers in a hundred are off by one rounding at the end u = 1.
+  /// |sampled / exact mass - 1| of a tail of 2^-20 (1e-6). At the end u = 1 random numbers of
+  /// single precision are 2^-24 apart, so that their rounding alone moves this mass by up to 1/32.
   double tail_error = 0.05;
-  /// Density of the map against the pdf, relative, by finite differences in double precision.
+  /// The density of the map against pdf, relative, by finite differences in double precision.
   double density_error = 1e-3;
   /// pdf, D (relative), Lambda (of 1 + Lambda) and G1 (relative), and all integrals of them. The
   /// largest rounding is that of D of Beckmann at its rim, 4.1e-5.
   double function_error = 1e-4;
-  /// What the distribution of the normals may differ from the exact one: nothing, for a sampler
-  /// without tables.
+  /// By how much the distribution of the normals may differ from the exact one: not at all for a
+  /// sampler without tables.
   DeclaredErrors declared = {};
 };
 
-/// What a sampler claims to be.
+/// What a sampler claims, which decides what is checked and against what.
 struct Claims {
+  /// Which normals it draws.
   SampledNormals normals = SampledNormals::visible_smith;
-  /// Whether sample() is the monotone inverse of the distribution in (u1, u2): slope x at u1, then
-  /// slope y given x at u2, both increasing in the frame of the stretched incident direction.
+  /// Whether sample() is the monotone inverse of the CDFs in (u1, u2): slope x at u1, then slope y
+  /// given x at u2, both increasing in the frame of the stretched incident direction.
   bool monotone_inverse = false;
-  /// Whether its map is of a few smooth pieces, so that even random numbers give an even
-  /// distribution. False for one that takes the last digits of a random number for another.
+  /// Whether its map is of a few smooth pieces, so that quasi-random numbers give quasi-random
+  /// normals. False for one that takes the last digits of a random number for another.
   bool smooth = true;
-  /// Angle of the stretched incident direction, in degrees, from which it is that: published
-  /// samplers take polar coordinates instead near normal incidence.
+  /// Angle of the stretched incident direction, in degrees, from which on it is the monotone
+  /// inverse. Published samplers take polar coordinates instead near normal incidence.
   double inverse_from = 0;
 
+  /// Whether it claims to be the monotone inverse at configuration `c`.
   bool inverse_at(const Configuration& c) const {
     const double horizontal = std::hypot(c.alpha.x * c.wi.x, c.alpha.y * c.wi.y);
     return monotone_inverse && std::atan2(horizontal, c.wi.z) / kDegree >= inverse_from;
@@ -61,14 +63,18 @@ struct Claims {
 /// Refractive index of glass over that of air.
 inline constexpr double kGlassIndex = 1.5;
 
-/// Directions and random numbers are given in double precision but are whole single-precision
-/// numbers, except to sample_double.
+/// A sampler under test. Directions and random numbers are passed in double precision but are
+/// numbers of single precision, except to sample_double. The spans of one call are of equal size.
+/// Functions are called by several threads at a time.
 struct SamplerUnderTest {
+  /// What reports call it.
   std::string name;
+  /// The slopes that it claims to have.
   std::shared_ptr<const ExactSlopes> exact;
   Claims claims;
   Bounds bounds;
 
+  /// The unit normals of a batch of random pairs.
   std::function<void(const Configuration&, std::span<const RandomPair> u,
                      std::span<Vec3<double>> wm)>
       sample;
@@ -76,15 +82,18 @@ struct SamplerUnderTest {
   std::function<void(const Configuration&, std::span<const RandomPair> u,
                      std::span<Vec3<double>> wm)>
       sample_double;
-  /// The density of the map at a normal that is sampled, as the sampler gives it with the normal,
-  /// where there is no map in double precision to differentiate; may be empty.
+  /// The density of the map at the normal that is sampled at `u`, where the sampler gives it with
+  /// the normal and there is no map in double precision to differentiate; may be empty.
   std::function<double(const Configuration&, const RandomPair& u)> map_density;
+  /// The density per solid angle at each of `wm`, as a renderer would divide by it.
   std::function<void(const Configuration&, std::span<const Vec3<double>> wm, std::span<double> pdf)>
       pdf;
+  /// D at each of `wm`.
   std::function<void(const Alpha<double>&, std::span<const Vec3<double>> wm, std::span<double> d)>
       d;
+  /// Lambda(wi) and G1(wi).
   std::function<double(const Configuration&)> lambda, g1;
-  /// Masking and shadowing of a facet (masking.h), wi and wo on any side.
+  /// Masking and shadowing of the facet `wm` (bsdf/masking.h), with wi and wo on any side.
   std::function<double(const Alpha<double>&, const Vec3<double>& wi, const Vec3<double>& wo,
                        const Vec3<double>& wm)>
       g2;
@@ -93,7 +102,7 @@ struct SamplerUnderTest {
   std::function<void(const Configuration&, std::span<const Vec3<double>> wo, std::span<double> f)>
       mirror, glass;
 
-  /// One normal.
+  /// Draws one normal.
   Vec3<double> sample_one(const Configuration& c, double u1, double u2) const {
     const RandomPair u{u1, u2};
     Vec3<double> wm{};
@@ -102,16 +111,18 @@ struct SamplerUnderTest {
   }
 };
 
+/// `v` in precision T.
 template <class T, class U>
 Vec3<T> vector_of(const Vec3<U>& v) {
   return {static_cast<T>(v.x), static_cast<T>(v.y), static_cast<T>(v.z)};
 }
+/// `a` in precision T.
 template <class T>
 Alpha<T> alpha_of(const Alpha<double>& a) {
   return {static_cast<T>(a.x), static_cast<T>(a.y)};
 }
 
-/// Calls `sampler`, of precision T, for a batch.
+/// A function that calls `sampler`, of precision T, for a batch.
 template <class T, NormalSampler<T> S>
 auto batch_of(const S& sampler) {
   return
@@ -124,7 +135,7 @@ auto batch_of(const S& sampler) {
       };
 }
 
-/// Evaluates `bsdf`, of precision T, for a batch.
+/// Evaluates `bsdf`, of precision T, for a batch: its first channel where it has several.
 template <class T, class Bsdf>
 void evaluate_batch(const Bsdf& bsdf, const Configuration& c, std::span<const Vec3<double>> wo,
                     std::span<double> f) {
@@ -165,8 +176,9 @@ void set_bsdfs(SamplerUnderTest& s, const S& sampler) {
     set_bsdfs_of<T, SmithCorrelated>(s, sampler);
 }
 
-/// A sampler made of `sampler`, of precision T. Where its pdf is 0 for a distribution of all
-/// normals, or its g1 is that of another surface, `claims` says so.
+/// Makes a sampler under test of `sampler`, of precision T: any class with the functions of
+/// NormalSampler. `exact` are the slopes that it claims to have; the pointer must not be null.
+/// Where it draws all normals, or has the G1 of another surface, `claims` must say so.
 template <class T, NormalSampler<T> S>
 SamplerUnderTest under_test(std::string name, std::shared_ptr<const ExactSlopes> exact,
                             const S& sampler, const Claims& claims, const Bounds& bounds = {}) {
@@ -197,8 +209,9 @@ SamplerUnderTest under_test(std::string name, std::shared_ptr<const ExactSlopes>
   return s;
 }
 
-/// The same with its map in double precision too, for the derivatives, and its BSDFs, for the half
-/// vector of two opposite directions is lost in their rounding.
+/// The same with the sampler in double precision too. Its map there has derivatives, which tell the
+/// density of the map, and its BSDFs are taken, because the half vector of two opposite directions
+/// is lost in the rounding of single precision.
 template <NormalSampler<float> S, NormalSampler<double> D>
 SamplerUnderTest under_test(std::string name, std::shared_ptr<const ExactSlopes> exact,
                             const S& sampler, const D& in_double, const Claims& claims,
@@ -210,16 +223,21 @@ SamplerUnderTest under_test(std::string name, std::shared_ptr<const ExactSlopes>
   return s;
 }
 
-/// The bounds of tables: their own certificate, measured at other places and so taken 1.25 times,
-/// and the rounding of a single-precision normal. `columns` of the larger table.
+/// The bounds of tables with `columns` in the larger one: the errors of their own certificate,
+/// taken 1.25 times because it was measured at other places, and the rounding of a single-precision
+/// normal.
 Bounds bounds_of(const Certificate& certificate, std::size_t columns);
 
-/// Tables as a renderer runs them, in single precision.
+/// Tables as a renderer runs them, in single precision, with the bounds of `certificate`. `exact`
+/// are the slopes that they were made from, as
+/// std::make_shared<ExactSlopes>(parse_distribution("ggx")), and may be shared. The pointers must
+/// not be null.
 SamplerUnderTest tables_under_test(std::string name, std::shared_ptr<const ExactSlopes> exact,
                                    std::shared_ptr<const SlopeTables> tables,
                                    const Certificate& certificate);
 
-/// Baked tables, which are shared, with the bounds of their own certificate.
+/// Baked tables with the bounds of their own certificate, like tables_under_test(). The data of
+/// `tables` are shared, so it need not outlive the sampler.
 SamplerUnderTest baked_tables_under_test(std::string name, std::shared_ptr<const ExactSlopes> exact,
                                          const KernelTables& tables);
 

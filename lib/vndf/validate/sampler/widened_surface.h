@@ -1,7 +1,7 @@
-// Walter's trick before the validator: a sampler that draws all normals at the roughness
-// alpha' = (1.2 - 0.2 sqrt(cos(theta_i))) alpha (Walter et al. 2007, section 5.3) is given the
-// alpha whose alpha' is the one of the check, so that its distribution must be that of all normals
-// there.
+// Walter's trick under test. His samplers draw all normals at the widened roughness
+// alpha' = (1.2 - 0.2 sqrt(cos(theta_i))) alpha (Walter et al. 2007, section 5.3). We pass the
+// smaller alpha that the paper's formula widens to the roughness of the configuration, so that the
+// sampler must draw all normals of that roughness. A wrong factor in its code then fails.
 #pragma once
 
 #include <cmath>
@@ -35,7 +35,8 @@ class WidenedSurface {
   T g1(const Vec3<T>& w, const Alpha<T>& alpha) const noexcept { return sampler_.g1(w, alpha); }
 
  private:
-  /// The paper's formula written anew: were it asked of the sampler, a wrong factor would cancel.
+  /// The paper's formula is written anew here: were it asked of the sampler, a wrong factor would
+  /// cancel.
   static Alpha<T> narrowed(const Vec3<T>& wi, const Alpha<T>& alpha) {
     const T factor = T(1.2) - T(0.2) * std::sqrt(std::abs(wi.z));
     return {alpha.x / factor, alpha.y / factor};

@@ -1,5 +1,5 @@
-// Random numbers of one block of a check, which follow from the seed and from where the block
-// is: results do not depend on which thread runs it, nor on how many there are.
+// Random numbers of one block of samples. They follow from the seed and from which block it is, so
+// that results do not depend on which thread runs the block, nor on how many threads there are.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +10,11 @@
 
 namespace vndf::validate {
 
+/// A generator of its own for each block.
 class BlockRandom {
  public:
-  /// Of block `block` of stream `stream`, at most 2^32 streams.
+  /// The numbers of block `block` of stream `stream` < 2^32. Streams of one seed are independent,
+  /// as are blocks of one stream.
   BlockRandom(std::uint64_t seed, std::uint64_t stream, std::uint64_t block) {
     const auto low = [](std::uint64_t v) { return static_cast<std::uint32_t>(v); };
     std::seed_seq sequence{low(seed), low(seed >> 32), low(stream), low(block), low(block >> 32)};
@@ -21,8 +23,8 @@ class BlockRandom {
 
   /// A whole multiple of 2^-53 in [0, 1).
   double uniform() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
-  /// A single-precision number in (0, 1), rounded at its own scale: near 0 it has all its digits,
-  /// so that the tail there is a tail and no lattice.
+  /// A number of single precision in (0, 1), rounded at its own scale: near 0 it has all its
+  /// digits, so that samples fill the tail there and not a lattice in it.
   double single() { return std::min(to_single(uniform() + 0x1p-54), 1 - 0x1p-24); }
 
  private:

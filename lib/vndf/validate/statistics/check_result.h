@@ -1,5 +1,4 @@
-// What a check of the validator has to say: one statistic, its bound, and the place where it is
-// worst.
+// The result of a check: one statistic, its bound, and the place where it is worst.
 #pragma once
 
 #include <algorithm>
@@ -12,35 +11,39 @@
 
 namespace vndf::validate {
 
-/// How `measured` is to be compared with `bound`.
+/// How the measured value is compared with the bound.
 enum class Kind {
   error,       ///< an error, which must not be larger
   probability  ///< the smallest p-value of `tests` independent tests, which must not be smaller
 };
 
+/// What one statistic of a check was, and what it may be.
 struct CheckResult {
-  std::string check = {}, statistic = {};
+  std::string check = {};      ///< which check was made, as "density"
+  std::string statistic = {};  ///< what it measured, as "integral of pdf - 1"
   Kind kind = Kind::error;
   double measured = 0;
-  double bound = 0;  ///< of a p-value: set for the whole run by the validator
+  double bound = 0;  ///< for a p-value it is set when all tests of the run are known
   Place where = {};
-  std::size_t tests = 0;  ///< of a p-value: how many were made
-  std::string note = {};
+  std::size_t tests = 0;  ///< how many p-values were made, of which `measured` is the smallest
+  std::string note = {};  ///< what else is to be told, as text
 
   /// False for a measurement that is not a number.
   bool passed() const { return kind == Kind::error ? measured <= bound : measured >= bound; }
 };
 
+/// Whether every result passed.
 inline bool all_passed(const std::vector<CheckResult>& results) {
   return std::all_of(results.begin(), results.end(),
                      [](const CheckResult& f) { return f.passed(); });
 }
 
-/// The largest of several errors and where it was; what is not a number is larger than any.
+/// The largest of several errors and where it was. What is not a number counts as larger than any.
 struct Worst {
   double measured = 0;
   Place where = {};
 
+  /// Takes account of an error at a place.
   void see(double error, const Place& place) {
     if (!(error <= measured) && !std::isnan(measured)) {
       measured = error;
@@ -49,6 +52,7 @@ struct Worst {
   }
   void see(const Worst& other) { see(other.measured, other.where); }
 
+  /// The largest error as a result, with its bound.
   CheckResult result(std::string check, std::string statistic, double bound) const {
     return {std::move(check), std::move(statistic), Kind::error, measured, bound, where};
   }

@@ -1,4 +1,6 @@
-// Comparison of densities at a normal that has been rounded.
+// Comparison of a density with the exact one at a normal that has been rounded. Where the density
+// is steep it changes by more than any bound within the rounding, so the comparison is with the
+// values that it takes nearby.
 #pragma once
 
 #include <algorithm>
@@ -8,12 +10,13 @@
 
 namespace vndf::validate {
 
-/// Densities are compared up to what they change by when the slope of the normal changes by this:
-/// some roundings of a single-precision normal.
+/// Densities are compared up to what they change by when the slope of the normal changes by this
+/// factor, some roundings of a single-precision normal.
 inline constexpr double kSlopeRounding = 5e-7;
 
-/// Distance of `given` from the values that `exact` takes at the slopes of `wm` times
-/// 1 -+ kSlopeRounding, relative to the largest that `scale` takes there: 0 where that is infinite.
+/// The distance of `given` from the values that `exact` takes at the slopes of `wm` times
+/// 1 -+ kSlopeRounding, relative to the largest value that `scale` takes there: 0 where that is
+/// infinite, and not a number where `given` is none.
 template <class Exact, class Scale>
 double density_distance(double given, const Vec3<double>& wm, Exact exact, Scale scale) {
   const auto range = [&](auto f) {

@@ -1,6 +1,6 @@
-// Mean and variance of a stream of numbers in one pass, of any length: each number moves the mean
-// by its share (Welford 1962), and two streams are joined by the same rule (Chan, Golub and LeVeque
-// 1979), so nothing large is subtracted.
+// Mean and variance of a stream of numbers in one pass, of any length. Sums of squares would lose
+// their digits, so each number moves the mean by its share (Welford 1962), and two streams are
+// joined by the same rule (Chan, Golub and LeVeque 1979).
 #pragma once
 
 #include <cmath>
@@ -8,6 +8,7 @@
 
 namespace vndf::validate {
 
+/// The moments of the numbers added so far.
 struct Moments {
   std::uint64_t count = 0;
   double mean = 0;
@@ -33,7 +34,7 @@ struct Moments {
   /// Unbiased estimate of the variance of one number; 0 for fewer than two.
   double variance() const { return count > 1 ? squares / static_cast<double>(count - 1) : 0; }
 
-  /// Of the mean.
+  /// The standard error of the mean; 0 without numbers.
   double standard_error() const {
     return count > 0 ? std::sqrt(variance() / static_cast<double>(count)) : 0;
   }

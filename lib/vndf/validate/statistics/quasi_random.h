@@ -1,5 +1,6 @@
-// Points that fill the unit square evenly: the additive sequence of the plastic number (Roberts
-// 2018). No grid has a common period with it, and no point is in the middle.
+// Quasi-random points of the unit square: the additive sequence of the plastic number (Roberts
+// 2018). They fill the square more evenly than random ones. No grid has a common period with them,
+// so that tables are checked between their nodes, and none of them is in the middle of the square.
 #pragma once
 
 #include <cmath>
@@ -9,7 +10,7 @@
 
 namespace vndf::validate {
 
-/// Point `k`, whole single-precision numbers in [0, 1).
+/// Point `k`, of single-precision numbers in [0, 1).
 inline RandomPair quasi_random_point(std::size_t k) {
   const auto part = [k](double step) {
     const double x = static_cast<double>(k) * step + 0.3;

@@ -15,7 +15,7 @@ namespace {
 // the cube root to 1e-3 of its p-value (Sankaran 1959), and its series is long.
 constexpr double kLongSeries = 1e4;
 
-/// Upper tail of the noncentral chi-square by Sankaran's approximation.
+/// The upper tail of the noncentral chi-square by Sankaran's approximation.
 double noncentral_tail(double x, double k, double lambda) {
   const double h = 1 - 2 * (k + lambda) * (k + 3 * lambda) / (3 * std::pow(k + 2 * lambda, 2));
   const double p = (k + 2 * lambda) / std::pow(k + lambda, 2);

@@ -1,4 +1,4 @@
-// Counts of uniform numbers and what they say.
+// Counts of uniform numbers, and what they say.
 #include "vndf/validate/statistics/uniformity.h"
 
 #include <algorithm>
@@ -41,8 +41,8 @@ double pearson(const std::vector<std::uint64_t>& counts, double samples) {
   return sum;
 }
 
-/// Relative error that is owned in the tail of mass `e`: it grows with the logarithm of the mass
-/// from that of the density in the middle to that of the tail at 1e-6, and on.
+/// The relative error that is declared for the tail of mass `e`. It grows with the logarithm of the
+/// mass, from that of the density in the middle to that of the tail at 1e-6 and on.
 double declared_at(const DeclaredErrors& declared, double e) {
   const double depth = std::log(e) / std::log(1e-6);
   return declared.density + declared.tail * depth;
