@@ -3,104 +3,82 @@
 
 #include <algorithm>
 #include <boost/math/quadrature/exp_sinh.hpp>
-#include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
-#include <functional>
 #include <limits>
-
-#include "vndf/precompute/bracketed_newton.h"
+#include <vector>
 
 namespace vndf::precompute {
 namespace {
 
-// Panels are equal in asinh(y / width): each spans a ratio of exp(1/4) at most, on which Gauss's
+using distributions::Estimate;
+
+// Panels are equal in asinh(y / width). Each spans a ratio of exp(1/4) at most, on which Gauss's
 // rule with 10 nodes is exact to rounding for smooth densities.
 constexpr double kPanel = 0.25;
-constexpr std::size_t kPanels = 200;  // at most; the last begins at width * exp(50) / 2
-// Next to a break, where a density may be singular, panels halve this often.
+// The last of so many panels begins at width * exp(50) / 2. Power tails, which fall most slowly,
+// end by kNegligible before it.
+constexpr std::size_t kMostPanels = 200;
+// A density may be singular next to a break. Panels halve towards it this often, down to 1e-9 of
+// the distance to the break before.
 constexpr int kHalvings = 30;
+// Width of the first panel, in units of the scale, where x is 0.
 constexpr double kNarrowest = 1e-6;
+// The panel that adds less than this, a tenth of a rounding, is the last one.
 constexpr double kNegligible = 1e-17;
+// The Gauss-Kronrod rule halves a panel at most twice to reach the tolerance. The panels are such
+// that it rarely does; near a singular break it would halve forever without effect.
 constexpr double kTolerance = 1e-13;
-constexpr unsigned kDepth = 2;
+constexpr unsigned kMostBisections = 2;
+// Densities below this begin to be denormal once they are multiplied by weights and widths.
 constexpr double kSmallestDensity = 1e-250;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Over [-1, 1]: Boost 1.74 compares the error of that interval with a tolerance for the given one.
+/// The integral is taken over [-1, 1], because Boost 1.74 compares the error of that interval with
+/// the tolerance that is meant for the given one.
 template <class F>
-distributions::Estimate integrate_panel(F f, double low, double high) {
+Estimate integrate_panel(const F& f, double low, double high) {
   const double middle = (low + high) / 2, half = (high - low) / 2;
   double error = 0;
   const double value = boost::math::quadrature::gauss_kronrod<double, 15>::integrate(
-      [&](double t) { return f(middle + half * t); }, -1.0, 1.0, kDepth, kTolerance, &error);
+      [&](double t) { return f(middle + half * t); }, -1.0, 1.0, kMostBisections, kTolerance,
+      &error);
   return {half * value, half * error};
 }
 
-}  // namespace
-
-ConditionalScale<double> plain_scale(const UnitSlopes& slopes) {
-  const double r = slopes.support();
-  return std::isfinite(r) ? ConditionalScale<double>{r * r, -1} : ConditionalScale<double>{1, 1};
-}
-
-bool ConditionalDistribution::reachable(const UnitSlopes& slopes, double x) {
-  return x < slopes.support() && slopes.density(x).value > kSmallestDensity;
-}
-
-ConditionalDistribution::ConditionalDistribution(const UnitSlopes& slopes, double x,
-                                                 const ConditionalScale<double>& scale)
-    : slopes_(slopes), bounded_(std::isfinite(slopes.support())), x_(x), scale_(scale.at({x, 1})) {
-  // The width over which the density falls off, in units of the scale, 1 where it does not fall; or
-  // x, where a cusp of p22 at the centre is rounded off.
-  const double natural = slopes.density(x).value / (2 * slopes.p22(x) * scale_);
-  const double fall = natural > 0 && natural < 1 ? natural : 1;
-  const double width = std::min(fall, std::max(x / scale_, kNarrowest));
-
-  const auto integrand = [this](double y) { return density(y); };
-  const auto edges = panel_edges(width);
-  edge_ = {0};
-  head_ = {0};
-  std::vector<double> pieces;
-  for (std::size_t k = 1; k < edges.size(); ++k) {
-    const distributions::Estimate piece = integrate_panel(integrand, edges[k - 1], edges[k]);
-    pieces.push_back(piece.value);
-    error_ += piece.error;
-    edge_.push_back(edges[k]);
-    head_.push_back(head_.back() + pieces.back());
-    const bool past_breaks = !bounded_ && edges[k] > breaks_in_y().back();
-    if (past_breaks && pieces.back() <= kNegligible * head_.back()) break;
-  }
-  tail_.assign(edge_.size(), bounded_ ? 0 : rest());
-  for (std::size_t k = pieces.size(); k-- > 0;) tail_[k] = tail_[k + 1] + pieces[k];
-}
-
-/// The integral beyond the last panel, to infinity.
-double ConditionalDistribution::rest() {
+/// The integral from `last` > 0 to infinity.
+template <class F>
+Estimate integrate_beyond(const F& f, double last) {
   thread_local boost::math::quadrature::exp_sinh<double> half_line;
-  const double last = edge_.back();
   double error = 0;
-  const double value = last * half_line.integrate([&](double v) { return density(last * (1 + v)); },
-                                                  0.0, kInfinity, kTolerance, &error);
-  error_ += last * error;
-  return value;
+  const double value = last * half_line.integrate([&](double v) { return f(last * (1 + v)); }, 0.0,
+                                                  kInfinity, kTolerance, &error);
+  return {value, last * error};
 }
 
 /// 0 and the places at which the density along y jumps or has a kink.
-std::vector<double> ConditionalDistribution::breaks_in_y() const {
+std::vector<double> breaks_in_y(const UnitSlopes& slopes, double x, double scale) {
   std::vector<double> places{0};
-  for (const double r : slopes_.distribution().breaks()) {
-    const double radius = r / slopes_.mean_slope();
-    if (radius > x_) places.push_back(std::sqrt((radius - x_) * (radius + x_)) / scale_);
+  for (const double r : slopes.distribution().breaks()) {
+    const double radius = r / slopes.mean_slope();
+    if (radius > x) places.push_back(std::sqrt((radius - x) * (radius + x)) / scale);
   }
   return places;
 }
 
-std::vector<double> ConditionalDistribution::panel_edges(double width) const {
-  const auto breaks = breaks_in_y();
-  const double end = bounded_ ? breaks.back() : kInfinity;
+/// The width over which the density falls off, in units of the scale, 1 where it does not fall; or
+/// x, where a cusp of p22 at the centre is rounded off.
+double width_of(const UnitSlopes& slopes, double x, double scale) {
+  const double natural = slopes.density(x).value / (2 * slopes.p22(x) * scale);
+  const double fall = natural > 0 && natural < 1 ? natural : 1;
+  return std::min(fall, std::max(x / scale, kNarrowest));
+}
+
+/// Edges of panels from 0 to `end`, the last of the breaks, or to beyond all mass if it is
+/// infinite.
+std::vector<double> panel_edges(const std::vector<double>& breaks, double width, double end) {
   std::vector<double> edges;
-  for (std::size_t k = 0; k < kPanels; ++k) {
+  for (std::size_t k = 0; k < kMostPanels; ++k) {
     const double y = width * std::sinh(kPanel * static_cast<double>(k));
     if (y < end) edges.push_back(y);
   }
@@ -118,69 +96,59 @@ std::vector<double> ConditionalDistribution::panel_edges(double width) const {
   return edges;
 }
 
-double ConditionalDistribution::density(double y) const {
-  const double s = y * scale_;
-  return slopes_.p22(std::sqrt(x_ * x_ + s * s));
+bool is_bounded(const UnitSlopes& slopes) {
+  return std::isfinite(slopes.support());
 }
 
-double ConditionalDistribution::partial(double low, double high) const {
-  return boost::math::quadrature::gauss<double, 10>::integrate(
-      [this](double y) { return density(y); }, low, high);
+}  // namespace
+
+ConditionalScale<double> plain_scale(const UnitSlopes& slopes) {
+  const double r = slopes.support();
+  return is_bounded(slopes) ? ConditionalScale<double>{r * r, -1} : ConditionalScale<double>{1, 1};
 }
 
-std::size_t ConditionalDistribution::panel_of(double y) const {
-  const auto above = std::upper_bound(edge_.begin(), edge_.end() - 1, y);
-  return static_cast<std::size_t>(above - edge_.begin()) - 1;
+bool ConditionalDistribution::reachable(const UnitSlopes& slopes, double x) {
+  return x < slopes.support() && slopes.density(x).value > kSmallestDensity;
 }
 
-std::size_t ConditionalDistribution::panel_of_tail(double mass) const {
-  const auto below = std::lower_bound(tail_.begin(), tail_.end() - 1, mass, std::greater<>());
-  return std::max<std::size_t>(1, static_cast<std::size_t>(below - tail_.begin())) - 1;
+ConditionalDistribution::ConditionalDistribution(const UnitSlopes& slopes, double x,
+                                                 const ConditionalScale<double>& scale)
+    : scale_(scale.at({x, 1})),
+      bounded_(is_bounded(slopes)),
+      cdf_(integrate({&slopes, x, scale_})) {}
+
+double ConditionalDistribution::Density::operator()(double y) const {
+  const double s = y * scale;
+  return slopes->p22(std::sqrt(x * x + s * s));
 }
 
-Probability<double> ConditionalDistribution::cdf(double y) const {
-  // The smaller of the two masses is integrated, so that neither tail is a difference.
-  const std::size_t k = panel_of(y);
-  const bool last = k + 1 == edge_.size();
-  if (tail_[k] < total() / 2) {
-    const double tail = (last ? tail_[k] : tail_[k + 1] + partial(y, edge_[k + 1])) / total();
-    return {1 - tail, tail};
+TabulatedCdf<ConditionalDistribution::Density> ConditionalDistribution::integrate(
+    const Density& density) {
+  const UnitSlopes& slopes = *density.slopes;
+  const bool bounded = is_bounded(slopes);
+  const auto breaks = breaks_in_y(slopes, density.x, density.scale);
+  auto edges = panel_edges(breaks, width_of(slopes, density.x, density.scale),
+                           bounded ? breaks.back() : kInfinity);
+  std::vector<Estimate> panels;
+  double below = 0;
+  for (std::size_t k = 1; k < edges.size(); ++k) {
+    panels.push_back(integrate_panel(density, edges[k - 1], edges[k]));
+    below += panels.back().value;
+    const bool past_breaks = !bounded && edges[k] > breaks.back();
+    if (past_breaks && panels.back().value <= kNegligible * below) break;
   }
-  const double head = (head_[k] + partial(edge_[k], y)) / total();
-  return {head, 1 - head};
-}
-
-/// The place in panel k beyond which lies the mass `tail`, by Hermite interpolation of y over the
-/// mass: good to some 1e-4 of the panel.
-double ConditionalDistribution::inverse_hermite(std::size_t k, double tail) const {
-  const double mass = tail_[k] - tail_[k + 1], width = edge_[k + 1] - edge_[k];
-  const double f = (tail_[k] - tail) / mass;
-  // Slopes dy / df of more than three times the secant would make the curve turn back.
-  const double m0 = std::min(3 * width, mass / density(edge_[k]));
-  const double m1 = std::min(3 * width, mass / density(edge_[k + 1]));
-  return edge_[k] + f * (m0 + f * (3 * width - 2 * m0 - m1 + f * (m0 + m1 - 2 * width)));
+  edges.resize(panels.size() + 1);
+  const Estimate beyond = bounded ? Estimate{0, 0} : integrate_beyond(density, edges.back());
+  return {density, std::move(edges), panels, beyond};
 }
 
 double ConditionalDistribution::quantile(const Probability<double>& p) const {
   if (p.u == 0) return 0;
-  if (p.complement == 0) return bounded_ ? edge_.back() : kInfinity;
-  const double tail = p.complement * total();
-  const std::size_t k = panel_of_tail(tail);
-  const Bracket panel{edge_[k], edge_[k + 1]};
-  const double guess = inverse_hermite(k, tail);
-  if (p.complement < 0.5)
-    return bracketed_newton(
-        [&](double y) {
-          const double mass = tail_[k + 1] + partial(y, panel.high);
-          return ValueAndSlope{mass - tail, -density(y)};
-        },
-        panel, guess);
-  return bracketed_newton(
-      [&](double y) {
-        const double mass = head_[k] + partial(panel.low, y);
-        return ValueAndSlope{p.u * total() - mass, -density(y)};
-      },
-      panel, guess);
+  if (p.complement == 0) return bounded_ ? cdf_.last_edge() : kInfinity;
+  const double above = p.complement * cdf_.above_first();
+  const double guess = cdf_.interpolated_inverse_above(above);
+  if (p.complement < 0.5) return cdf_.inverse_above(above, guess);
+  return cdf_.inverse_below(p.u * cdf_.above_first(), guess, Rounding::sum);
 }
 
 }  // namespace vndf::precompute

@@ -1,28 +1,27 @@
 // The distribution of the slope y given the slope x (Heitz and d'Eon 2014, equations 12 and 13). It
-// does not depend on the incident direction and is symmetric, so it is kept as that of |y|:
+// does not depend on the incident direction and is symmetric, so only that of |y| is needed:
 //
 //   P(|Y| < y | x) = int_0^y p22(sqrt(x^2 + s^2)) ds / int_0^inf p22(sqrt(x^2 + s^2)) ds
 //
-// y is in units of a scale that depends on x: sqrt(A + B x^2), with the A and B in which the
-// conditionals of Gaussian, Student-T or Pearson II slopes are one and the same. x is in units of
-// the mean slope.
+// y is in units of a scale sqrt(A + B x^2), because with the right A and B the conditionals of
+// Gaussian, Student-T and Pearson II slopes are the same at every x (conditional_shape.h). x is in
+// units of the mean slope.
 #pragma once
 
-#include <vector>
-
+#include "vndf/precompute/tabulated_cdf.h"
 #include "vndf/precompute/unit_slopes.h"
 #include "vndf/table_coordinates.h"
 
 namespace vndf::precompute {
 
-/// The scale where no better one is known: sqrt(1 + x^2) or, where no slope is larger than R,
-/// sqrt(R^2 - x^2), the largest y.
+/// The scale to take where no better one is known: sqrt(1 + x^2) or, where no slope is larger than
+/// R, sqrt(R^2 - x^2), the largest y.
 ConditionalScale<double> plain_scale(const UnitSlopes& slopes);
 
 class ConditionalDistribution {
  public:
   /// Whether slopes near `x` >= 0 have any mass in double precision. Where they have none, no
-  /// sample ever lands and the conditional is not defined.
+  /// sample ever has that slope and the conditional is not defined.
   static bool reachable(const UnitSlopes& slopes, double x);
 
   /// Integrates the conditional density at a reachable slope `x` >= 0, panel by panel, with y in
@@ -33,35 +32,31 @@ class ConditionalDistribution {
   /// The scale that y is in units of.
   double scale() const { return scale_; }
 
-  /// P(|Y| < y) and its complement at y >= 0. Maximum error: 1e-13 for smooth densities, in both
-  /// tails relative.
-  Probability<double> cdf(double y) const;
+  /// P(|Y| < y) and its complement at y >= 0. Maximum error: 1e-13 for smooth densities, relative
+  /// to the smaller of the two.
+  Probability<double> cdf(double y) const { return cdf_.cdf(y); }
 
-  /// y with P(|Y| < y) = p; infinity, or 1 for a compact distribution, at 1: bracketed root finding
-  /// to 1e-12 in p.
+  /// y with P(|Y| < y) = p, to 1e-12 in p. At p = 1 it is infinity, or 1 for a compact
+  /// distribution.
   double quantile(const Probability<double>& p) const;
 
-  /// Relative error that the quadrature estimates for the whole integral.
-  double quadrature_error() const { return error_ / total(); }
+  /// Relative error of the whole integral that the quadrature estimates.
+  double quadrature_error() const { return cdf_.error() / cdf_.above_first(); }
 
  private:
-  std::vector<double> breaks_in_y() const;
-  std::vector<double> panel_edges(double width) const;
-  double density(double y) const;  // not normalised
-  double rest();
-  double total() const { return tail_.front(); }
-  double partial(double low, double high) const;
-  double inverse_hermite(std::size_t panel, double tail) const;
-  std::size_t panel_of(double y) const;
-  std::size_t panel_of_tail(double mass) const;
+  /// p22 along y, not normalised.
+  struct Density {
+    const UnitSlopes* slopes;
+    double x, scale;
 
-  const UnitSlopes& slopes_;
+    double operator()(double y) const;
+  };
+
+  static TabulatedCdf<Density> integrate(const Density& density);
+
+  double scale_;
   bool bounded_;
-  double x_, scale_;
-  double error_ = 0;
-  // Edges of the panels and the integrals below and above each edge: both are sums of positive
-  // terms, so neither tail is a difference.
-  std::vector<double> edge_, head_, tail_;
+  TabulatedCdf<Density> cdf_;
 };
 
 }  // namespace vndf::precompute

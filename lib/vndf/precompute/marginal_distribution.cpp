@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "vndf/precompute/asinh_slope.h"
-#include "vndf/precompute/bracketed_newton.h"
+#include "vndf/precompute/tabulated_cdf.h"
 
 namespace vndf::precompute {
 namespace {
@@ -103,21 +103,22 @@ Probability<double> MarginalDistribution::cdf(double a) const {
 double MarginalDistribution::quantile(const Probability<double>& u, double guess) const {
   if (u.u == 0) return -kInfinity;
   if (u.complement == 0) return farthest_;
-  // Both branches solve for the logarithm of a mass: the tails are close to straight lines there.
+  // The tails are close to straight lines in the logarithm of a mass, so that is solved for.
+  const double farthest = std::min(farthest_, kFarthestLow);
   if (u.u * norm_ <= lower_mass(0)) {
     const double target = std::log(u.u * norm_);
-    const auto f = [&](double b) {
+    const auto lack = [&](double b) {
       const double mass = lower_mass(b);
-      return ValueAndSlope{std::log(mass) - target, -weighted_density(-b) / mass};
+      return WithDerivative<double>{target - std::log(mass), weighted_density(-b) / mass};
     };
-    return -bracketed_newton(f, {0, kFarthestLow}, -guess);
+    return -support::increasing_root(lack, 0, kFarthestLow, -guess, kQuantileStep);
   }
   const double target = std::log(u.complement * norm_);
-  const auto f = [&](double a) {
+  const auto lack = [&](double a) {
     const double mass = upper_mass(a);
-    return ValueAndSlope{std::log(mass) - target, -weighted_density(a) / mass};
+    return WithDerivative<double>{target - std::log(mass), weighted_density(a) / mass};
   };
-  return bracketed_newton(f, {0, std::min(farthest_, kFarthestLow)}, guess);
+  return support::increasing_root(lack, 0, farthest, guess, kQuantileStep);
 }
 
 }  // namespace vndf::precompute

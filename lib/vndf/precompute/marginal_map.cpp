@@ -2,14 +2,12 @@
 #include "vndf/precompute/marginal_map.h"
 
 #include <algorithm>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
-#include <functional>
-#include <utility>
+#include <limits>
 
 #include "vndf/differences.h"
 #include "vndf/precompute/asinh_slope.h"
-#include "vndf/precompute/bracketed_newton.h"
+#include "vndf/precompute/tabulated_cdf.h"
 #include "vndf/table_coordinates.h"
 
 namespace vndf::precompute {
@@ -21,52 +19,20 @@ constexpr int kHalvings = 40;      // of the panels towards 0 and the breaks
 // The first node has a base probability of 1e-12 or more; what is below this matters to none.
 constexpr double kSmallestMoment = 1e-16;
 
-/// A density over a = asinh(slope), up to a factor, with the integrals below and above the edges of
-/// its panels: both are sums of positive terms, so neither tail is a difference.
-class PanelledDensity {
- public:
-  PanelledDensity(std::function<double(double)> density, std::vector<double> edges)
-      : density_(std::move(density)), edge_(std::move(edges)) {
-    head_.assign(edge_.size(), 0);
-    tail_.assign(edge_.size(), 0);
-    for (std::size_t k = 1; k < edge_.size(); ++k)
-      head_[k] = head_[k - 1] + integral(edge_[k - 1], edge_[k]);
-    for (std::size_t k = edge_.size() - 1; k-- > 0;)
-      tail_[k] = tail_[k + 1] + integral(edge_[k], edge_[k + 1]);
-  }
+/// The density of which the map is the quantile function, P / sigma over a = asinh(slope), up to a
+/// factor.
+struct BaseDensity {
+  const UnitSlopes* slopes;
 
-  double normalized(double a) const { return density_(a) / head_.back(); }
-
-  double quantile(const Probability<double>& p) const {
-    return p.u < 0.5 ? from_below(p.u * head_.back()) : from_above(p.complement * tail_.front());
-  }
-
- private:
-  double integral(double low, double high) const {
-    return boost::math::quadrature::gauss<double, 10>::integrate(density_, low, high);
-  }
-
-  double from_below(double mass) const {
-    const auto above = std::upper_bound(head_.begin() + 1, head_.end() - 1, mass);
-    const auto k = static_cast<std::size_t>(above - head_.begin()) - 1;
-    const auto f = [&](double a) {
-      return ValueAndSlope{mass - head_[k] - integral(edge_[k], a), -density_(a)};
-    };
-    return bracketed_newton(f, {edge_[k], edge_[k + 1]}, edge_[k]);
-  }
-
-  double from_above(double mass) const {
-    const auto below = std::lower_bound(tail_.begin() + 1, tail_.end() - 1, mass, std::greater<>());
-    const auto k = static_cast<std::size_t>(below - tail_.begin()) - 1;
-    const auto f = [&](double a) {
-      return ValueAndSlope{tail_[k + 1] + integral(a, edge_[k + 1]) - mass, -density_(a)};
-    };
-    return bracketed_newton(f, {edge_[k], edge_[k + 1]}, edge_[k + 1]);
-  }
-
-  std::function<double(double)> density_;
-  std::vector<double> edge_, head_, tail_;
+  double operator()(double a) const { return slopes->p_da(a) * (1 + std::exp(-a)); }
 };
+
+/// The place at which the mass of `p` ends, counted from the nearer end.
+double quantile(const TabulatedCdf<BaseDensity>& base, const Probability<double>& p) {
+  constexpr double kMiddle = std::numeric_limits<double>::quiet_NaN();  // no guess
+  return p.u < 0.5 ? base.inverse_below(p.u * base.below_last(), kMiddle, Rounding::difference)
+                   : base.inverse_above(p.complement * base.above_first(), kMiddle);
+}
 
 /// Edges of panels over asinh(slope) >= 0, narrower towards 0 and the breaks.
 std::vector<double> panel_edges(const UnitSlopes& slopes) {
@@ -118,17 +84,16 @@ void limit_tangents(std::vector<CubicNode<double>>& nodes) {
 }  // namespace
 
 std::vector<CubicNode<double>> marginal_map(const UnitSlopes& slopes, std::size_t pieces) {
-  const PanelledDensity base([&](double a) { return slopes.p_da(a) * (1 + std::exp(-a)); },
-                             mirrored(panel_edges(slopes)));
+  const TabulatedCdf base(BaseDensity{&slopes}, mirrored(panel_edges(slopes)));
   const double spacing = 1 / static_cast<double>(pieces);
   std::vector<CubicNode<double>> map{{0, 0}};
   for (std::size_t k = 1; k < pieces; ++k) {
     const double t = spacing * static_cast<double>(k);
     const auto p = marginal_column_inverse(t);
-    const double a = base.quantile(p);
+    const double a = quantile(base, p);
     const auto sigma = bounded_from_asinh(a);
     // The logit of sigma is a, so its derivative by a is sigma (1 - sigma).
-    const double da_dt = marginal_column_rate(t) / base.normalized(a);
+    const double da_dt = marginal_column_rate(t) / (base.density(a) / base.below_last());
     map.push_back({sigma.sigma, sigma.denominator() * da_dt * spacing});
   }
   map.push_back({bounded_from_slope(slopes.support()).sigma, 0});

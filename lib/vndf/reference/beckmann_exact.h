@@ -15,6 +15,7 @@
 #include <limits>
 #include <numbers>
 
+#include "vndf/cubic_piece.h"
 #include "vndf/reference/beckmann.h"
 #include "vndf/reference/erf_inverse.h"
 #include "vndf/reference/smith.h"
@@ -48,14 +49,13 @@ class VisibleBeckmannSlopes {
       return support::increasing_root(
           [&](double x) {
             const double mass = lower_mass(x);
-            return support::ValueAndDerivative{std::log(mass / (u.u * norm_)), density(x) / mass};
+            return WithDerivative<double>{std::log(mass / (u.u * norm_)), density(x) / mass};
           },
           -kFarthest, high, std::min(guess, high));
     return support::increasing_root(
         [&](double x) {
           const double mass = upper_mass(x);
-          return support::ValueAndDerivative{std::log(u.complement * norm_ / mass),
-                                             density(x) / mass};
+          return WithDerivative<double>{std::log(u.complement * norm_ / mass), density(x) / mass};
         },
         -kFarthest, high, guess);
   }

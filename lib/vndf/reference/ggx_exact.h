@@ -14,6 +14,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "vndf/cubic_piece.h"
 #include "vndf/reference/ggx.h"
 #include "vndf/reference/smith.h"
 #include "vndf/support/increasing_root.h"
@@ -56,7 +57,7 @@ inline double conditional_ggx_middle(double v) {
   if (v == 0) return 0;
   const double mean = std::numbers::pi * v;
   const auto f = [mean](double gamma) {
-    return support::ValueAndDerivative{gamma + std::sin(gamma) - mean, 1 + std::cos(gamma)};
+    return WithDerivative<double>{gamma + std::sin(gamma) - mean, 1 + std::cos(gamma)};
   };
   return std::tan(support::increasing_root(f, 0, 2, mean / 2) / 2);
 }
@@ -68,7 +69,7 @@ inline double conditional_ggx_tail(double q) {
   const double mean = std::numbers::pi * q;
   const auto f = [mean](double beta) {
     const double sine = std::sin(beta / 2);
-    return support::ValueAndDerivative{angle_minus_sine(beta) - mean, 2 * sine * sine};
+    return WithDerivative<double>{angle_minus_sine(beta) - mean, 2 * sine * sine};
   };
   return std::tan(support::increasing_root(f, 0, std::numbers::pi, std::cbrt(6 * mean)) / 2);
 }

@@ -8,10 +8,6 @@
 
 namespace vndf::support {
 
-struct ValueAndDerivative {
-  double value, derivative;
-};
-
 /// The step that ends the search: Newton's method squares the error, so that after a step this
 /// small the next would be lost in rounding.
 struct LastStep {
@@ -20,15 +16,16 @@ struct LastStep {
   double absolute = std::numeric_limits<double>::min();
 };
 
-/// x in [low, high] with f(x) = 0, for increasing f with f(low) <= 0 <= f(high); f returns
-/// ValueAndDerivative. Ends with a step below `last`, whose error is the square of it, or when the
-/// bracket has no number left inside. `guess` need not be inside the bracket.
+/// x in [low, high] with f(x) = 0, for increasing f with f(low) <= 0 <= f(high); `f(x)` is
+/// its value and its derivative (WithDerivative). Ends with a step below `last`, whose error is the
+/// square of it, or when the bracket has no number left inside. `guess` need not be inside the
+/// bracket.
 template <class F>
 double increasing_root(F f, double low, double high, double guess, const LastStep& last = {}) {
   const auto inside = [&](double x) { return x > low && x < high; };
   double x = inside(guess) ? guess : low + (high - low) / 2;
   while (inside(x)) {
-    const ValueAndDerivative at = f(x);
+    const auto at = f(x);
     if (at.value == 0) return x;
     (at.value < 0 ? low : high) = x;
     const double step = -at.value / at.derivative;
