@@ -118,7 +118,7 @@ TEST_CASE("what a trial throws reaches the caller") {
   CHECK_THROWS_WITH(collect({{[] {}, 1}, bad}, {2, 1e-4}), "no tables");
 }
 
-TEST_CASE("options out of range are refused") {
+TEST_CASE("options out of range are errors") {
   const Trial trial{[] {}, 1};
   CHECK_THROWS_WITH(collect({trial}, {0, 1e-3}), contains("repetitions"));
   CHECK_THROWS_WITH(collect({trial}, {1, 0}), contains("seconds"));

@@ -1,5 +1,5 @@
 // The paper's layout read literally: its nodes against closed forms, its error against figures
-// found by another program, and the judge against tables made wrong on purpose.
+// found by another program, and the measurement against tables made wrong on purpose.
 #include "vndf/bench/literal_tables.h"
 
 #include <cmath>
@@ -85,7 +85,7 @@ TEST_CASE("the literal tables of 1024 x 1024 err by what was found before") {
   CHECK(error("ggx") == Approx(kGgxError).epsilon(kPlaces));
 }
 
-TEST_CASE("the judge of literal tables sees slopes that are 5 % too large") {
+TEST_CASE("the errors of literal tables show slopes that are 5 % too large") {
   const Made made("ggx", 128);
   const double right = measure_literal(made.slopes, made.tables, {}).max_u_error;
   CHECK(scaled_error(made, 1) == right);

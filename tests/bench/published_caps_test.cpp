@@ -1,4 +1,4 @@
-// The unit of the benchmark is a correct sampler: its law, and what float costs it.
+// The unit of the benchmark is a correct sampler: its distribution, and the error of float.
 #include "vndf/bench/published_caps.h"
 
 #include "support/catch.h"

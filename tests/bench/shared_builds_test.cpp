@@ -23,14 +23,14 @@ TEST_CASE("a key is built when it is first asked for, and once") {
 
 TEST_CASE("what was built lives as long as the builds, or whoever still holds it") {
   std::weak_ptr<int> watched;
-  std::shared_ptr<const Built<std::shared_ptr<int>>> held;
+  std::shared_ptr<const Built<std::shared_ptr<int>>> kept;
   {
     SharedBuilds builds;
-    held = builds.get("a", [] { return std::make_shared<int>(7); });
-    watched = held->value;
+    kept = builds.get("a", [] { return std::make_shared<int>(7); });
+    watched = kept->value;
   }
   CHECK_FALSE(watched.expired());
-  held.reset();
+  kept.reset();
   CHECK(watched.expired());
 }
 

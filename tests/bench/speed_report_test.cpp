@@ -110,11 +110,11 @@ TEST_CASE("the cases of a distribution stand together, by kind") {
     if (groups[k - 1].first == groups[k].first) CHECK(groups[k - 1].second < groups[k].second);
 }
 
-TEST_CASE("an unknown distribution is refused before any work") {
+TEST_CASE("an unknown distribution is an error before any work") {
   CHECK_THROWS_WITH(all_cases({.distributions = {"gxx"}}), contains("gxx"));
 }
 
-TEST_CASE("words choose samplers, and the baseline always runs") {
+TEST_CASE("parts of names choose samplers, and the baseline always runs") {
   const auto some = chosen(all_cases(few()), {"linear", "hemi"});
   REQUIRE(some.size() == 3);
   CHECK(some[0].kind == Kind::baseline);
@@ -339,6 +339,6 @@ TEST_CASE("the key beside a panel numbers the marks by their bytes") {
                          contains("'--  ggx caps as published: 1.00'"));
 }
 
-TEST_CASE("a run without samplers is refused") {
+TEST_CASE("a run without samplers is an error") {
   CHECK_THROWS_AS(measure_speed({}, {}), std::invalid_argument);
 }

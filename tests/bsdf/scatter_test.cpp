@@ -1,4 +1,4 @@
-// The operators reflect and transmit: their laws, their inverses, their Jacobians.
+// The operators reflect and transmit: the physics, the inverses and the Jacobians.
 #include "vndf/bsdf/scatter.h"
 
 #include <algorithm>
@@ -53,7 +53,7 @@ double error_of(const Vec3<T>& w, const Vec3<long double>& exact) {
   return std::max({difference(w.x, exact.x), difference(w.y, exact.y), difference(w.z, exact.z)});
 }
 
-/// Against the same laws as the paper prints them, in extended precision.
+/// Against the formulas as the paper prints them, in extended precision.
 template <class T>
 void check_errors() {
   RandomInputs random(8);

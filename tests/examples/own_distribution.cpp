@@ -11,9 +11,9 @@ class StudentT final : public vndf::distributions::SlopeDistribution {
 };
 
 int main(int, char** argv) {
-  const StudentT law;
-  const auto pair = vndf::precompute::build_tables(law).tables;
-  const auto baked = vndf::precompute::bake_certified(law, *pair, {.tolerance = 1e-5});
+  const StudentT student_t;
+  const auto pair = vndf::precompute::build_tables(student_t).tables;
+  const auto baked = vndf::precompute::bake_certified(student_t, *pair, {.tolerance = 1e-5});
   vndf::save(argv[1], baked);
   std::cout << "max u-error " << baked.certificate().marginal.max_u_error << '\n';
 }

@@ -194,7 +194,7 @@ TEST_CASE("generalised Trowbridge-Reitz is continuous through gamma 1 and alpha 
   CHECK(at.d(m, {1, 1}) == Approx(std::numbers::inv_pi).epsilon(1e-14));
 }
 
-TEST_CASE("a gamma out of range is refused by name") {
+TEST_CASE("a gamma out of range is an error that names it") {
   for (const double gamma : {0.0, -1.0, 11.0, std::nan("")})
     CHECK_THROWS_WITH(GtrProfile(gamma), contains("gamma"));
 }

@@ -64,7 +64,7 @@ bool must_face(const Vec3<T>& wi, const Alpha<T>& alpha) {
 
 /// What is wrong with the normal and the density for one input, or nothing.
 template <class T, class Sampler>
-std::string fault(const Sampler& sampler, const Vec3<T>& wi, const Alpha<T>& alpha, T u1, T u2) {
+std::string error_of(const Sampler& sampler, const Vec3<T>& wi, const Alpha<T>& alpha, T u1, T u2) {
   const Vec3<T> m = sampler.sample(wi, alpha, u1, u2);
   if (!finite_unit(m)) return "not a finite unit normal above the horizon";
   if (must_face<Sampler>(wi, alpha) && !(dot(wi, m) >= -kFacingSlack<T>))
@@ -83,7 +83,7 @@ void check_hard_inputs(int count, std::uint64_t seed) {
       const auto f = [](double v) { return static_cast<T>(v); };
       const Vec3<T> wi{f(in.wi.x), f(in.wi.y), f(in.wi.z)};
       const Alpha<T> alpha{f(in.alpha.x), f(in.alpha.y)};
-      const std::string wrong = fault(sampler, wi, alpha, f(in.u1), f(in.u2));
+      const std::string wrong = error_of(sampler, wi, alpha, f(in.u1), f(in.u2));
       if (wrong.empty()) continue;
       const auto m = sampler.sample(wi, alpha, f(in.u1), f(in.u2));
       CAPTURE(name, sizeof(T), k, wi.x, wi.y, wi.z, alpha.x, alpha.y, in.u1, in.u2, m.x, m.y, m.z,
@@ -104,7 +104,7 @@ void check_corners() {
           for (const T u2 : {T(0), tiny, step, T(0.5), 1 - step / 2, T(1)}) {
             Vec3<T> wi = direction_at<T>(degrees, 33);
             wi.z = std::max(wi.z, T(0));
-            const std::string wrong = fault(sampler, wi, alpha, u1, u2);
+            const std::string wrong = error_of(sampler, wi, alpha, u1, u2);
             CAPTURE(name, sizeof(T), degrees, alpha.x, alpha.y, u1, u2);
             if (!wrong.empty()) FAIL(wrong);
           }

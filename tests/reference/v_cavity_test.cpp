@@ -109,13 +109,13 @@ TEST_CASE("V-cavity normals pass a chi-square test, with a third number and with
     CAPTURE(degrees);
     const auto wi = direction_at<double>(degrees, 35);
     const auto shares = visible_shares(wi, kAlpha);
-    const PolarLaw law{kAlpha};
-    CHECK(law_p_value(law, ThreeNumbers<double>(), wi, kAlpha, shares) > kSignificance);
-    CHECK(law_p_value(law, GgxCavity<double>(), wi, kAlpha, shares) > kSignificance);
+    const PolarLaw distribution{kAlpha};
+    CHECK(law_p_value(distribution, ThreeNumbers<double>(), wi, kAlpha, shares) > kSignificance);
+    CHECK(law_p_value(distribution, GgxCavity<double>(), wi, kAlpha, shares) > kSignificance);
     // In float, whose u3 has 12 digits.
     const Vec3<float> w{static_cast<float>(wi.x), static_cast<float>(wi.y),
                         static_cast<float>(wi.z)};
-    CHECK(law_p_value(law, GgxCavity<float>(), w, Alpha<float>{0.3f, 0.9f}, shares) >
+    CHECK(law_p_value(distribution, GgxCavity<float>(), w, Alpha<float>{0.3f, 0.9f}, shares) >
           kSignificance);
   }
 }
@@ -162,7 +162,8 @@ TEST_CASE("stratified numbers choose sides evenly: each of 4096 strata of u1, in
   CHECK(mean == Approx(expected / kSteps).margin(GgxCavity<float>::kReuseError));
 }
 
-TEST_CASE("the law of a groove's side errs by no more than kReuseError without a third number") {
+TEST_CASE(
+    "the distribution of a groove's side errs by no more than kReuseError without a third number") {
   // All u1 of 24 bits at one groove radius: the azimuth of the chosen facet against its CDF,
   // int_0^phi (1 + k cos) / (2 pi), k = r tan(theta), where both sides are visible.
   const GgxCavity<float> cavity;

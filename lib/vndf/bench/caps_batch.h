@@ -1,5 +1,5 @@
 // The baseline of the benchmark: visible GGX normals by spherical caps, as published (Dupuy and
-// Benyoub 2023), over structures of arrays.
+// Benyoub 2023), for structures of arrays.
 #pragma once
 
 #include <span>
@@ -9,8 +9,8 @@
 
 namespace vndf::bench {
 
-/// Draws wm[i] for wi[i], alpha[i], u1[i], u2[i]; all spans of one size. As published, nothing
-/// looks at inputs out of range.
+/// Draws wm[i] for wi[i], alpha[i], u1[i] and u2[i]. All spans have the same size. As in the
+/// published code, inputs out of range are not checked.
 void caps_batch(const DirectionSpans& wi, const AlphaSpans& alpha, std::span<const float> u1,
                 std::span<const float> u2, const NormalSpans& wm);
 

@@ -39,7 +39,7 @@ namespace {
 using distributions::SlopeDistribution;
 using precompute::BuiltTables;
 
-// Closed forms. A sampler of another law than that of visible Smith normals has no u-error.
+// Closed forms. A sampler that does not draw visible Smith normals has no u-error.
 
 template <class T, class Sampler>
 Case reference(const std::string& name, const std::string& distribution,
@@ -89,7 +89,7 @@ void add_beckmann(std::vector<Case>& list) {
 
 // Tables.
 
-/// A table file that is gone with the last who uses it.
+/// A temporary table file, which its destructor removes.
 class ScratchFile {
  public:
   explicit ScratchFile(const BuiltTables& built) {
@@ -132,7 +132,8 @@ Runner tabulated(const Built<BuiltTables>& built) {
   return r;
 }
 
-/// Rows and columns of the pairs that kernels are baked from, and more bytes than any needs.
+/// Rows and columns of the pairs that kernels are baked from, and a limit of bytes that none
+/// reaches.
 constexpr std::size_t kBakedSide = 1024, kMostBakedBytes = std::size_t{1} << 24;
 
 std::string kernel_name(const std::string& spec, double tolerance, bool small) {
@@ -141,7 +142,7 @@ std::string kernel_name(const std::string& spec, double tolerance, bool small) {
   return name.str();
 }
 
-/// The distribution of cases, and what they stand on.
+/// A distribution with the tables that its cases share.
 struct Source {
   std::string spec;
   std::shared_ptr<const SlopeDistribution> distribution;
@@ -157,7 +158,7 @@ struct Source {
       return precompute::build_tables(*distribution, {.layout = {side, side}});
     });
   }
-  /// Baked from the pair for a tolerance: as fast as may be, or as small.
+  /// Tables baked from the pair for a tolerance, either the fastest or the smallest ones.
   auto baked(double tolerance, bool small) const {
     const auto pair = tables(kBakedSide);
     const auto bake = [&](std::size_t max_bytes) {
@@ -203,7 +204,7 @@ void add_tables(std::vector<Case>& list, const Source& source,
 
 // Kernels.
 
-/// A runner without runs: what is known of baked tables, and from their bytes to a sample.
+/// A runner with the setup, size and errors of baked tables, but without runs.
 Runner baked_tables(const Built<KernelTables>& built) {
   Runner r;
   r.setup = [tables = built.value] {
@@ -217,7 +218,7 @@ Runner baked_tables(const Built<KernelTables>& built) {
   return r;
 }
 
-/// The kernel refers to tables that the cases keep.
+/// The kernel alone. It refers to tables that the cases own.
 Runner scalar_kernel(const Built<KernelTables>& built) {
   Runner r = scalar_runs<float>(built.value.kernel());
   const Runner known = baked_tables(built);
@@ -228,7 +229,7 @@ Runner scalar_kernel(const Built<KernelTables>& built) {
   return r;
 }
 
-/// Directions that are prepared: one for a whole block where it is coherent.
+/// The kernel with prepared directions, one for a whole block if the block is coherent.
 Runner prepared_kernel(const Built<KernelTables>& built) {
   Runner r = baked_tables(built);
   const Kernel kernel = built.value.kernel();
@@ -357,17 +358,17 @@ std::vector<Case> all_cases(const CaseOptions& options) {
   return list;
 }
 
-std::vector<Case> chosen(std::vector<Case> all, const std::vector<std::string>& words) {
-  const auto holds = [](const Case& c, const std::string& word) {
-    return c.name.find(word) != std::string::npos;
+std::vector<Case> chosen(std::vector<Case> all, const std::vector<std::string>& parts) {
+  const auto holds = [](const Case& c, const std::string& part) {
+    return c.name.find(part) != std::string::npos;
   };
-  for (const std::string& word : words)
-    if (std::ranges::none_of(all, [&](const Case& c) { return holds(c, word); }))
-      throw std::invalid_argument("'" + word + "' occurs in no name, such as '" + all.back().name +
+  for (const std::string& part : parts)
+    if (std::ranges::none_of(all, [&](const Case& c) { return holds(c, part); }))
+      throw std::invalid_argument("'" + part + "' occurs in no name, such as '" + all.back().name +
                                   "'; run without it to see all names");
   std::erase_if(all, [&](const Case& c) {
-    return c.kind != Kind::baseline && !words.empty() &&
-           std::ranges::none_of(words, [&](const std::string& word) { return holds(c, word); });
+    return c.kind != Kind::baseline && !parts.empty() &&
+           std::ranges::none_of(parts, [&](const std::string& part) { return holds(c, part); });
   });
   return all;
 }

@@ -1,5 +1,5 @@
-// All cases: the baseline, the reference samplers, the paper's layout read literally, the plain
-// tables by size, and kernels by tolerance.
+// All cases of the benchmark: the baseline, the reference samplers, tables in the layout of the
+// paper read literally, tables with linear rows by size, and kernels by tolerance.
 #pragma once
 
 #include <string>
@@ -9,29 +9,28 @@
 
 namespace vndf::bench {
 
-/// Specifications that run where none are named (precompute/distribution_spec.h).
+/// The distributions that run by default (distributions/parse_distribution.h).
 inline const std::vector<std::string> kUsualDistributions{"beckmann", "ggx", "student-t:gamma=4",
                                                           "exponential-power:p=0.5"};
 
 struct CaseOptions {
   std::vector<std::string> distributions = kUsualDistributions;
-  /// Rows and columns of tables, each read literally and with linear rows.
+  /// Rows and columns of the tables, each of which runs read literally and with linear rows.
   std::vector<std::size_t> sides = {64, 256, 1024};
-  /// Tolerances that kernels are baked for from pairs of 1024 x 1024, each as fast and as small as
-  /// they come, prepared and batched.
+  /// Tolerances that kernels are baked for from pairs of 1024 x 1024. For each, the fastest and the
+  /// smallest kernel run, and the fastest also prepared and batched.
   std::vector<double> tolerances = {1e-4, 1e-5};
-  /// Files of pairs or of baked tables, each a distribution of its own, beside those that are
-  /// named.
+  /// Files of pairs or of baked tables, each of which counts as a further distribution.
   std::vector<std::string> files = {};
 };
 
-/// The baseline first, then those of each distribution by kind. Tables that they share live until
-/// the last of the cases is gone. Throws std::invalid_argument for a distribution that is none, and
-/// what the readers throw for a file.
+/// The baseline, then the cases of each distribution by kind. Tables that cases share exist until
+/// the last of these cases is destroyed. Throws std::invalid_argument for an unknown distribution,
+/// and what the readers throw for a file.
 std::vector<Case> all_cases(const CaseOptions& options);
 
-/// The baseline and those in whose names one of `words` occurs, or all where there are no words.
-/// Throws std::invalid_argument for a word that occurs in none.
-std::vector<Case> chosen(std::vector<Case> all, const std::vector<std::string>& words);
+/// The baseline and the cases whose names contain one of `parts`, or all cases if `parts` is empty.
+/// Throws std::invalid_argument for a part that no name contains.
+std::vector<Case> chosen(std::vector<Case> all, const std::vector<std::string>& parts);
 
 }  // namespace vndf::bench

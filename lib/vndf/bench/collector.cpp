@@ -1,6 +1,6 @@
-// Rounds of calls between two readings of the clocks. Google Benchmark also interleaves
-// repetitions, but shuffles all of them at once: a trial may run several times in a row, and no
-// baseline belongs to it.
+// Each round reads the clocks before and after the calls of every trial. We do not use Google
+// Benchmark for this because it shuffles all repetitions at once: a trial may then run several
+// times in a row, with no baseline of the same minute.
 #include "vndf/bench/collector.h"
 
 #include <algorithm>
@@ -31,14 +31,14 @@ Seconds time_of(const std::function<void()>& work, std::size_t calls) {
           std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count()};
 }
 
-/// What some calls of a trial took, and the processor time of it without the overhead.
+/// The time of some calls of a trial, and its processor time without the overhead.
 struct Taken {
   Seconds all;
   double net = 0;
 };
 
-/// Work and overhead take turns at each call, since what their difference leaves is small against
-/// the changes of either within a round.
+/// Work and overhead alternate call by call, because their difference is small compared with how
+/// much either changes within a round.
 Taken time_of(const Trial& trial, std::size_t calls) {
   if (!trial.overhead) {
     const Seconds all = time_of(trial.work, calls);
@@ -54,12 +54,12 @@ Taken time_of(const Trial& trial, std::size_t calls) {
   return taken;
 }
 
-/// How many calls take `seconds`. The last of the calls that it tries warm up the caches as well.
+/// The number of calls that take `seconds`. Finding it also warms up the caches.
 std::size_t calls_for(const Trial& trial, double seconds) {
   for (std::size_t calls = 1;;) {
     const double taken = time_of(trial, calls).all.wall;
     if (taken >= seconds) return calls;
-    // A short time is known badly: it may promise at most ten times as many calls.
+    // A short time is inaccurate, so we trust it for at most ten times as many calls.
     const double more = taken > 0 ? std::clamp(1.1 * seconds / taken, 1.1, 10.0) : 10.0;
     calls = std::max(calls + 1, static_cast<std::size_t>(static_cast<double>(calls) * more));
   }
@@ -73,7 +73,7 @@ void check(const CollectOptions& options) {
     throw std::invalid_argument("seconds of a repetition: give a number above 0");
 }
 
-/// Trials with the calls that each gets in a round and the figures of the rounds so far.
+/// The trials, their calls in each round, and the times of the rounds so far.
 class Rounds {
  public:
   Rounds(const std::vector<Trial>& trials, double seconds)

@@ -1,5 +1,5 @@
-// Times pieces of work in rounds: each round times every piece once, in an order of its own. What
-// disturbs the machine for a while then disturbs all alike, and the ratios of one round compare
+// Times pieces of work in rounds, each of which times every piece once in a random order. A
+// disturbance of the machine then affects all pieces alike, and the ratios within one round compare
 // times of the same minute.
 #pragma once
 
@@ -10,22 +10,23 @@
 
 namespace vndf::bench {
 
+/// A piece of work to time.
 struct Trial {
-  /// What is timed; it is called again and again.
+  /// The work, which is called repeatedly.
   std::function<void()> work;
   /// Samples that one call makes.
   std::size_t samples = 1;
-  /// Work of which as much is contained in `work`: it runs after each call, and its time is taken
-  /// off. May be empty.
+  /// Work that `work` also contains but that does not count: it runs after each call, and its time
+  /// is subtracted. May be empty.
   std::function<void()> overhead = {};
 };
 
 struct CollectOptions {
-  /// Rounds, >= 1: the repetitions of every trial.
+  /// Number of rounds, which is the number of repetitions of every trial. Valid: >= 1.
   int repetitions = 7;
-  /// Seconds that a trial takes in one round: its calls, at least one, are as many as fill them.
+  /// Seconds that a trial takes in one round, in which it is called at least once. Valid: > 0.
   double seconds = 0.05;
-  /// Told what is being done, before it is; may be empty.
+  /// Called with a description of each step before the step. May be empty.
   std::function<void(const std::string& what)> progress = {};
 };
 
@@ -37,16 +38,16 @@ struct Timing {
 
 struct Collection {
   std::vector<Timing> timings;  ///< one for each trial
-  /// Processor time of the timed calls over their wall-clock time: below 1, others had the
-  /// processor in between.
+  /// Processor time of the timed calls over their wall-clock time. It is below 1 if other programs
+  /// had the processor in between.
   double processor_share = 1;
 };
 
-/// The middle value, or the mean of the middle two. Throws std::invalid_argument where there is
-/// none.
+/// The middle value, or the mean of the middle two. Throws std::invalid_argument if there is no
+/// value.
 double median(std::vector<double> values);
 
-/// Median, least and greatest of the figures of all rounds. Throws as median() does.
+/// Median, lowest and highest of the times of all rounds. Throws what median() throws.
 Timing timing_of(const std::vector<double>& rounds);
 
 /// Times all trials. Throws std::invalid_argument unless repetitions >= 1 and seconds > 0; what a

@@ -1,4 +1,4 @@
-// Candidates are tried one by one against all that is taken: labels are few.
+// Every candidate is compared with everything taken, which is fast enough for a few labels.
 #include "vndf/bench/label_places.h"
 
 #include <algorithm>
@@ -6,8 +6,7 @@
 namespace vndf::bench {
 namespace {
 
-/// A label that is farther from its mark than this many of its heights would not be read as its
-/// own.
+/// Readers do not connect a label with its mark beyond this distance, in heights of the label.
 constexpr int kFarthest = 3;
 
 constexpr Place kDirections[] = {{1, 0}, {-1, 0}, {0, 1},  {0, -1},

@@ -1,4 +1,4 @@
-// Where the labels of a picture go so that none lies on another or on a mark.
+// Places the labels of a picture so that none covers another label or a mark.
 #pragma once
 
 #include <optional>
@@ -17,10 +17,10 @@ struct Box {
 /// The box of a width and a height around its middle.
 Box box_around(const Place& middle, double width, double height);
 
-/// Whether they share more than an edge.
+/// Whether two boxes share more than an edge.
 bool overlap(const Box& a, const Box& b);
 
-/// Greedy: what has a place keeps it.
+/// A greedy placement: a label that has a place keeps it.
 class LabelPlaces {
  public:
   explicit LabelPlaces(const Box& bounds) : bounds_(bounds) {}
@@ -28,12 +28,12 @@ class LabelPlaces {
   /// Keeps labels away from `taken`, as from a mark.
   void take(const Box& taken) { taken_.push_back(taken); }
 
-  /// The first of the candidates for the middle of a label at which it lies within the bounds and
-  /// on nothing taken; it is taken then. None if there is none.
+  /// Takes the first of the `candidates` for the middle of a label at which the label lies within
+  /// the bounds and overlaps nothing taken, and returns it. Returns nothing if no candidate fits.
   std::optional<Place> put(const std::vector<Place>& candidates, double width, double height);
 
-  /// The same for a label beside a mark of `radius` at `mark`: to its sides, then to its corners,
-  /// then farther away.
+  /// The same for a label beside a mark of `radius` at `mark`. The candidates are at its sides,
+  /// then at its corners, then farther away.
   std::optional<Place> put_beside(const Place& mark, double radius, double width, double height);
 
  private:

@@ -1,4 +1,4 @@
-// Filling and measuring the literal tables.
+// Fills and measures the literal tables.
 #include "vndf/bench/literal_tables.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ using support::Workers;
 namespace {
 
 constexpr double kRightAngle = std::numbers::pi / 2;
-constexpr std::size_t kRows = 200;       // golden rows at which a table is judged
+constexpr std::size_t kRows = 200;       // quasi-random rows at which a table is measured
 constexpr std::size_t kUniform = 256;    // u uniform
 constexpr std::size_t kEdgeColumns = 3;  // first and last cells, each at kPerCell places
 constexpr std::size_t kPerCell = 16;
@@ -81,7 +81,7 @@ double row_slope(const UnitSlopes& slopes, std::size_t i, std::size_t side) {
                              : std::numeric_limits<double>::infinity();
 }
 
-/// Rows are symmetric in x; those of x <= 0 come first, the last of them nearest to 0.
+/// Rows are symmetric in x. Those of x <= 0 come first, the last of them being the nearest to 0.
 void fill_y(const UnitSlopes& slopes, LiteralTables& tables, const support::Workers& workers) {
   const std::size_t side = tables.side, half = (side + 1) / 2;
   const auto reached = [&](std::size_t i) {
@@ -99,7 +99,7 @@ void fill_y(const UnitSlopes& slopes, LiteralTables& tables, const support::Work
   for (std::size_t i = half; i < side; ++i) std::copy_n(row(side - 1 - i), side, row(i));
 }
 
-// Judging.
+// Measuring.
 
 std::vector<Probability<double>> probabilities(std::size_t side, double shift) {
   std::vector<Probability<double>> list;
@@ -113,19 +113,20 @@ std::vector<Probability<double>> probabilities(std::size_t side, double shift) {
   return list;
 }
 
-template <class Law>
-LiteralErrors judge_row(const Law& law, std::size_t index, std::size_t side) {
+/// The errors of one row, whose `distribution` maps u to the CDF of the slope sampled there.
+template <class Distribution>
+LiteralErrors measure_row(const Distribution& distribution, std::size_t index, std::size_t side) {
   LiteralErrors errors;
   for (const auto& u : probabilities(side, support::golden(index, 0.25))) {
-    errors.max_u_error = std::max(errors.max_u_error, std::abs(u_error(law(u), u)));
+    errors.max_u_error = std::max(errors.max_u_error, std::abs(u_error(distribution(u), u)));
     if (std::min(u.u, u.complement) >= kDensityEnd)
-      errors.max_density_error = std::max(errors.max_density_error, density_error(law, u));
+      errors.max_density_error = std::max(errors.max_density_error, density_error(distribution, u));
   }
   const auto keep_tail = [&](auto mass) {
     keep_farthest(errors.tail_ratio, tail_ratio(mass, kTail, kFarthestRatio));
   };
-  keep_tail([&](double e) { return law(from_tail(e)).u; });
-  keep_tail([&](double e) { return law(from_complement(e)).complement; });
+  keep_tail([&](double e) { return distribution(from_tail(e)).u; });
+  keep_tail([&](double e) { return distribution(from_complement(e)).complement; });
   return errors;
 }
 
@@ -164,11 +165,11 @@ LiteralErrors measure_literal(const UnitSlopes& slopes,
   support::parallel_for(rows.size(), workers, [&](std::size_t i) {
     const double theta = places[i] * kRightAngle;
     const MarginalDistribution visible = visible_at(slopes, theta);
-    const auto law = [&](const Probability<double>& u) {
+    const auto distribution = [&](const Probability<double>& u) {
       const double x = sampler.sample_x(theta, u.u) / slopes.mean_slope();
       return visible.cdf(std::min(std::asinh(x), visible.farthest()));
     };
-    rows[i] = judge_row(law, i, tables->side);
+    rows[i] = measure_row(distribution, i, tables->side);
   });
   return combine(rows);
 }

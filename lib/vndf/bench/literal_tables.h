@@ -1,11 +1,11 @@
-// The two tables of Heitz and d'Eon 2014 (sections 5.3 and 5.4) read literally, as the baseline for
-// table_coordinates.h: uniform angles and uniform random numbers, slopes stored as they are,
-// bilinear lookup.
+// The two tables of Heitz and d'Eon 2014 (sections 5.3 and 5.4) read literally, so that the
+// benchmark shows what the coordinates of table_coordinates.h gain. Angles and random numbers are
+// uniform, slopes are stored as they are, and the lookup is bilinear.
 //
 //   T_x[theta, u1]   theta = (pi / 2) i / (n - 1),          u1 = j / (n - 1),   value x
 //   T_y[x, u2]       atan(x) = pi (i / (n - 1) - 1 / 2),    u2 = j / (n - 1),   value y
 //
-// The paper leaves open how x is spread over rows; its angle is the choice like that of theta.
+// The paper does not say how x is spread over rows. We choose its angle, in analogy to theta.
 // Slopes are those of unit roughness.
 #pragma once
 
@@ -23,10 +23,11 @@
 
 namespace vndf::bench {
 
-/// Nodes at u = 0 and u = 1, whose slopes may be infinite, hold the slopes of this u and of 1 minus
-/// this: the last that float tells from 1.
+/// The slopes at u = 0 and u = 1 may be infinite, so the nodes there store those of this u and of 1
+/// minus this u, which is the last that float distinguishes from 1.
 inline constexpr double kLiteralEnd = 1e-7;
 
+/// Slopes x by theta and u1, and slopes y by x and u2, both row by row.
 struct LiteralTables {
   /// Rows and columns of both tables.
   std::size_t side = 0;
@@ -35,8 +36,8 @@ struct LiteralTables {
   std::size_t bytes() const { return sizeof(float) * (x.size() + y.size()); }
 };
 
-/// Tables of `slopes` with `side` >= 2 nodes on each axis. Rows x that no sample reaches repeat the
-/// nearest row that one reaches.
+/// Makes the tables of `slopes` with `side` >= 2 nodes on each axis. A row x that no sample reaches
+/// repeats the nearest row that samples reach.
 std::shared_ptr<const LiteralTables> make_literal_tables(const precompute::UnitSlopes& slopes,
                                                          std::size_t side,
                                                          const support::Workers& workers);
@@ -54,14 +55,15 @@ T bilinear(const std::vector<float>& table, std::size_t side, T row, T column) {
   return lower + r.fraction * (upper - lower);
 }
 
+/// Samples visible normals from literal tables.
 template <class T>
 class LiteralSampler {
  public:
   explicit LiteralSampler(std::shared_ptr<const LiteralTables> tables)
       : tables_(std::move(tables)) {}
 
-  /// Draws a normal for `wi`, a unit vector with wi.z >= 0. It may face away from wi: slopes
-  /// between two rows may be beyond the visible ones.
+  /// Draws a normal for `wi`, a unit vector with wi.z >= 0. It may face away from wi, because
+  /// slopes interpolated between two rows may exceed the visible ones.
   Vec3<T> sample(const Vec3<T>& wi, const Alpha<T>& alpha, T u1, T u2) const noexcept {
     // 1. stretch
     const Azimuth<T> phi = azimuth(alpha.x * wi.x, alpha.y * wi.y);
@@ -87,16 +89,16 @@ class LiteralSampler {
   std::shared_ptr<const LiteralTables> tables_;
 };
 
-/// Errors as in a certificate (vndf/certificate.h), in double precision: theirs are far above the
-/// rounding of single precision.
+/// Errors as in a certificate (vndf/certificate.h). They are measured in double precision, because
+/// they are far above the rounding of single precision.
 struct LiteralErrors {
   double max_u_error = 0;
   double max_density_error = 0;  ///< for u in [1e-6, 1 - 1e-6]
-  double tail_ratio = 1;         ///< at 1e-6, of either end of any row: the one farthest from 1
+  double tail_ratio = 1;         ///< at 1e-6, the one farthest from 1 of all rows and both ends
 };
 
-/// The errors of the slope x at places off the grid, u in [1e-9, 1 - 1e-9]. Those of y are not
-/// stated: they hang on how x is spread over rows.
+/// Measures the errors of the slope x off the grid, for u in [1e-9, 1 - 1e-9]. It does not measure
+/// y, whose errors depend on our choice of how x is spread over rows.
 LiteralErrors measure_literal(const precompute::UnitSlopes& slopes,
                               const std::shared_ptr<const LiteralTables>& tables,
                               const support::Workers& workers);

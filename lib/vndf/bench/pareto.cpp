@@ -15,8 +15,8 @@ std::vector<std::size_t> pareto_front(const std::vector<Costs>& points) {
     const Costs &p = points[a], &q = points[b];
     return p.first != q.first ? p.first < q.first : p.second < q.second;
   });
-  // In order of the first cost a point is on the front if its second is less than that of all
-  // before it, or if it is the last of them once more.
+  // In order of the first cost, a point is on the front if its second cost is less than that of all
+  // points before it, or if it equals the last point of the front.
   std::vector<std::size_t> front;
   Costs last{0, std::numeric_limits<double>::infinity()};
   for (const std::size_t k : order) {

@@ -1,4 +1,5 @@
-// The points that no other beats in two costs at once: speed and accuracy, or size and speed.
+// The Pareto front of two costs, such as time and error or size and time: the points that no other
+// point beats in both.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +12,9 @@ struct Costs {
   double first, second;
 };
 
-/// Numbers of the points that no other point dominates, by increasing first cost. A point dominates
-/// another if neither cost is larger and one is smaller; equal points are all on the front, points
-/// with a cost that is no number never.
+/// The indices of the points that no other point dominates, by increasing first cost. A point
+/// dominates another if neither of its costs is larger and one is smaller. Equal points are all on
+/// the front; a point with a cost that is not a number is never on it.
 std::vector<std::size_t> pareto_front(const std::vector<Costs>& points);
 
 }  // namespace vndf::bench

@@ -1,5 +1,5 @@
-// What a renderer does between two samples, as far as caches feel it: traversal, shading and
-// textures push the tables of a sampler out of the nearest cache.
+// Imitates what a renderer does to the caches between two samples: traversal, shading and textures
+// push the tables of a sampler out of the nearest cache.
 #pragma once
 
 #include <cstddef>
@@ -10,9 +10,11 @@
 
 namespace vndf::bench {
 
-/// A normal times this changes nothing to which it is added, but must be known before.
+/// A normal times this is too small to change a number that it is added to, but the processor has
+/// to wait for the normal.
 inline constexpr float kTiny = 1e-20f;
 
+/// Reads memory that a sampler does not use.
 class Pollution {
  public:
   static constexpr std::size_t kBytes = std::size_t{8} << 20, kLine = 64;
@@ -20,9 +22,10 @@ class Pollution {
 
   Pollution() : buffer_(kBytes / sizeof(float)) {}
 
-  /// Reads random cache lines and returns 0. It begins when `last`, of the normal before and below
-  /// 1e10, is known and the lines before are there; and a sample to whose wi the result is added
-  /// begins when it has ended. Otherwise the processor would hide one behind the other.
+  /// Reads random cache lines and returns 0. The processor could hide this behind the samples
+  /// around it, so each waits for the other: the reading starts when `last`, which comes from the
+  /// previous normal and is below 1e10, is known, and a sample starts when the result is added to
+  /// its wi.
   float read(float last) noexcept {
     state_ += static_cast<std::uint32_t>(static_cast<int>(last * kTiny));
     float sum = 0;
@@ -35,7 +38,7 @@ class Pollution {
   }
 
  private:
-  /// The high bits of the generator, which are its random ones, choose the line.
+  /// The high bits of the generator choose the line, because its low bits are not random.
   static constexpr std::uint32_t kStatesPerLine =
       static_cast<std::uint32_t>((std::uint64_t{1} << 32) / (kBytes / kLine));
 
@@ -43,7 +46,8 @@ class Pollution {
   std::uint32_t state_ = 1;
 };
 
-/// Computes as little as its result needs: what is timed around it is not of any sampler.
+/// Returns a vector that depends on all inputs and computes nothing else, so that its time is that
+/// of everything around a sampler.
 struct EmptySampler {
   template <class T>
   Vec3<T> sample(const Vec3<T>& wi, const Alpha<T>& alpha, T u1, T u2) const noexcept {

@@ -1,7 +1,7 @@
-// The unit of the benchmark: visible GGX normals by spherical caps as they were published (Dupuy
-// and Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps"), step by step. The sampler
-// of vndf/reference/ggx_caps.h is the same map with care for the pole, the horizon and the ends of
-// u, and costs more.
+// The unit of all times of the benchmark: visible GGX normals by spherical caps exactly as
+// published (Dupuy and Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps"). The
+// sampler of vndf/reference/ggx_caps.h is the same map, but it also treats the pole, the horizon
+// and the ends of u, and therefore costs more.
 #pragma once
 
 #include <algorithm>
@@ -12,13 +12,14 @@
 
 namespace vndf::bench {
 
+/// Samples visible GGX normals.
 struct PublishedCaps {
-  /// In float no more than this fraction of all pairs (u1, u2) give slopes whose exact CDFs are off
-  /// by more than it, theta from 0 to 89.9 degrees.
+  /// In float no more than this fraction of all pairs (u1, u2) give slopes whose |CDF - u| is above
+  /// it, for theta from 0 to 89.9 degrees.
   static constexpr double kFloatError = 7e-5;
 
-  /// Draws a normal visible from `wi`, a unit vector with wi.z > 0; u in [0, 1). No other input has
-  /// a defined result.
+  /// Draws a normal visible from `wi`, a unit vector with wi.z > 0, for u in [0, 1). The result for
+  /// any other input is undefined.
   template <class T>
   Vec3<T> sample(const Vec3<T>& wi, const Alpha<T>& alpha, T u1, T u2) const noexcept {
     // 1. stretch

@@ -1,4 +1,4 @@
-// Tables that several cases stand on: each is built when the first of them asks, and only then.
+// Builds tables that several cases need once, when the first case asks for them.
 #pragma once
 
 #include <any>
@@ -10,7 +10,7 @@
 
 namespace vndf::bench {
 
-/// Something that took a while to make.
+/// A value, and how long it took to make.
 template <class T>
 struct Built {
   T value;
@@ -26,11 +26,11 @@ auto timed(const Make& make) {
   return built;
 }
 
-/// Keeps what it made until it is destroyed. Not for two threads at a time.
+/// Owns everything that it made. Only one thread may use it at a time.
 class SharedBuilds {
  public:
-  /// What `make` returned when `key` was asked for first. A key names all that the result depends
-  /// on; it stands for one type.
+  /// The result of the first `make` for `key`. A key must name everything that the result depends
+  /// on, and always come with the same type of result.
   template <class Make>
   auto get(const std::string& key, const Make& make) {
     using Result = Built<std::invoke_result_t<const Make&>>;

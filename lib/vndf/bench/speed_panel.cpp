@@ -1,5 +1,5 @@
-// One panel: what it shows is chosen first, then everything is laid out in pixels, so that labels
-// can be kept apart.
+// A panel first chooses what it shows and then places everything in pixels, because only then can
+// labels be kept apart.
 #include "vndf/bench/speed_panel.h"
 
 #include <fmt/format.h>
@@ -29,7 +29,8 @@ double ratio_of(const SpeedEntry& e) {
   return e.incoherent_ratio.of_medians;
 }
 
-/// At most six, of powers of four; none near the right end, where it would run into the key.
+/// At most six ticks at powers of four. There is none near the right end, where it would overlap
+/// the key.
 std::string ticks_of_bytes(double low, double high) {
   const double step = high / low > 4096 ? 16 : 4;
   std::string ticks;
@@ -95,7 +96,7 @@ SpeedPanel::SpeedPanel(const SpeedReport& report, const std::string& distributio
   std::ranges::stable_sort(marks_, {}, [](const SpeedEntry* e) { return e->bytes; });
   for (int power = kMostPower; power >= kLeastPower; --power) {
     Front front = front_of(power);
-    // One without an entry of this tolerance is the next finer front once more.
+    // A front without an entry of this tolerance would repeat the next finer one.
     if (std::ranges::any_of(front.steps, [&](auto* e) { return power_of(*e) == power; }))
       fronts_.push_back(std::move(front));
   }
@@ -115,7 +116,8 @@ SpeedPanel::Axis SpeedPanel::axis_around(const std::vector<double>& values, doub
   return {low / room, high * room};
 }
 
-/// The marks and the baseline: a line far away would press them together.
+/// The ratios of the marks and of the baseline. A distant line is left out because it would leave
+/// little room for the marks.
 std::vector<double> SpeedPanel::ratios_to_show() const {
   std::vector<double> ratios{1};
   for (const SpeedEntry* e : marks_.empty() ? lines_ : marks_) ratios.push_back(ratio_of(*e));
@@ -157,7 +159,7 @@ std::vector<SpeedPanel::KeyRow> SpeedPanel::key() const {
   return rows;
 }
 
-/// Makes the script of a panel whose plot is in one place of the canvas.
+/// Makes the script of a panel, given the place of its plot on the canvas.
 struct SpeedPanel::Drawing {
   const SpeedPanel& panel;
   const Canvas& canvas;
@@ -203,7 +205,7 @@ struct SpeedPanel::Drawing {
         ticks_of_bytes(x.low, x.high));
   }
 
-  /// The lines of entries without tables, named at the right edge.
+  /// The lines of entries without tables, with their names at the right edge.
   std::string lines() {
     std::string text;
     for (const SpeedEntry* e : panel.lines_) {
@@ -228,7 +230,7 @@ struct SpeedPanel::Drawing {
     return p ? canvas.label({p->x + width / 2, p->y}, name, "right", colour_of_line(e)) : "";
   }
 
-  /// Those on a front first, while there is room.
+  /// The numbers of the marks. Those on a front come first, because there may not be room for all.
   std::string numbers() {
     std::string text;
     for (const bool front : {true, false})
@@ -254,14 +256,14 @@ struct SpeedPanel::Drawing {
     return text;
   }
 
-  /// To the right edge, where larger tables would be.
+  /// The steps of a front, up to the right edge of the plot.
   std::string steps(const Front& front) const {
     std::string rows;
     for (const SpeedEntry* e : front.steps) rows += row_of(*e);
     return rows + fmt::format("{:.0f} {:.4f}\n", panel.bytes_.high, ratio_of(*front.steps.back()));
   }
 
-  /// Those without entries are left out: gnuplot cannot draw none.
+  /// All series with entries, because gnuplot cannot draw an empty one.
   Series series() const {
     Series series;
     for (const Front& front : panel.fronts_)

@@ -1,4 +1,5 @@
-// One distribution in the picture of a benchmark: bytes across, time upwards, names beside.
+// One panel of the picture of a benchmark, which shows one distribution: bytes across, time upwards
+// and the names beside the plot.
 #pragma once
 
 #include <string>
@@ -9,11 +10,11 @@
 
 namespace vndf::bench {
 
-/// What the script draws on, in pixels, y upwards.
+/// The picture that a script draws, in pixels with y upwards.
 struct Canvas {
   double width, height;
 
-  /// `p` in the coordinates of gnuplot.
+  /// The point `p` in the coordinates of gnuplot.
   std::string at(const Place& p) const;
   /// Small text whose left end, middle or right end ("left", "center", "right") is at `p`.
   std::string label(const Place& p, const std::string& text, const char* side,
@@ -21,7 +22,7 @@ struct Canvas {
   std::string mark(const Place& p, int point, const char* colour) const;
 };
 
-/// How wide and high a character of a label is at most.
+/// Largest width and height of a character of a label.
 inline constexpr double kCharacterWidth = 6, kCharacterHeight = 12;
 
 /// How the marks of a kind look.
@@ -34,12 +35,15 @@ inline constexpr Look kLooks[] = {{Kind::literal, "tables of the paper, read lit
                                   {Kind::table, "tables", 7},
                                   {Kind::kernel, "kernels", 9}};
 
-/// The tolerance 10^power that an entry keeps by its u-error: fronts and colours go by it.
+/// The power of ten that is the smallest tolerance of an entry, given its u-error, and the colour
+/// of that power.
 int power_of(const SpeedEntry& entry);
 const char* colour_of(int power);
 
+/// The layout and the script of one panel.
 class SpeedPanel {
  public:
+  /// One line of the key.
   struct KeyRow {
     std::string text;
     const char* colour;
@@ -48,12 +52,12 @@ class SpeedPanel {
   /// Refers to the entries of `report`.
   SpeedPanel(const SpeedReport& report, const std::string& distribution);
 
-  /// Entries with bytes, by bytes: the first has the number 1.
+  /// Entries with tables, by size. The plot numbers them from 1.
   const std::vector<const SpeedEntry*>& marks() const { return marks_; }
-  /// The names of the numbers, and the ratios of entries without tables, as some of their lines may
-  /// be off the axis or too close for a name.
+  /// The names of the numbers, and the ratios of entries without tables, whose lines may be outside
+  /// the plot or too close together for names.
   std::vector<KeyRow> key() const;
-  /// Draws the plot in `plot`, and the key to the right of it, `gap` away.
+  /// Draws the plot in `plot`, and the key to the right of it at a distance of `gap`.
   std::string script(const Canvas& canvas, const Box& plot, double gap) const;
 
  private:
@@ -66,7 +70,7 @@ class SpeedPanel {
     /// 0 at the low end, 1 at the high one.
     double at(double value) const;
   };
-  /// Of those that keep a tolerance, the entries that no other beats in bytes and time at once.
+  /// The Pareto front in bytes and time of the entries whose u-error is within a tolerance.
   struct Front {
     int power;
     Entries steps;

@@ -1,4 +1,4 @@
-// Panels in a grid, with what their colours and marks mean below.
+// Arranges the panels in a grid, with a legend of their colours and marks below.
 #include "vndf/bench/speed_plot.h"
 
 #include <fmt/format.h>
@@ -18,10 +18,10 @@ namespace {
 constexpr double kLeft = 70, kGap = 12, kAbove = 40, kBelow = 60, kTitle = 60, kLegend = 40;
 constexpr double kPlotWidth = 430, kPlotHeight = 330;
 
-/// The square of gnuplot's points.
+/// The point type of gnuplot that is a filled square.
 constexpr int kSquare = 5;
 
-/// Those of which more than the baseline is to be seen.
+/// The distributions that have an entry besides the baseline.
 std::vector<std::string> distributions(const SpeedReport& report) {
   std::vector<std::string> list;
   for (const SpeedEntry& e : report.entries)
@@ -31,14 +31,14 @@ std::vector<std::string> distributions(const SpeedReport& report) {
   return list;
 }
 
-/// One sign of the legend and its meaning; a point of type 0 is none.
+/// One sign of the legend and its meaning. A point of type 0 is not drawn.
 struct Sign {
   std::string text;
   int point;
   const char* colour;
 };
 
-/// The marks and colours that occur.
+/// The signs that occur in the panels.
 std::vector<Sign> signs_of(const std::vector<SpeedPanel>& panels) {
   std::set<Kind> kinds;
   std::set<int, std::greater<>> powers;
@@ -56,7 +56,7 @@ std::vector<Sign> signs_of(const std::vector<SpeedPanel>& panels) {
   return signs;
 }
 
-/// In lines that fill the canvas, as far down as it goes.
+/// The signs in lines as wide as the canvas, from the top of the legend downwards.
 std::string legend(const std::vector<Sign>& signs, const Canvas& canvas) {
   std::string text;
   Place p{kLeft, kLegend - kCharacterHeight};
@@ -70,7 +70,7 @@ std::string legend(const std::vector<Sign>& signs, const Canvas& canvas) {
   return text;
 }
 
-/// Panels in two columns, each with its key to the right.
+/// Places the panels in two columns, each with its key to the right.
 class Grid {
  public:
   explicit Grid(const std::vector<SpeedPanel>& panels)

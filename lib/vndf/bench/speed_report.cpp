@@ -1,4 +1,4 @@
-// Running the benchmark and showing what came of it.
+// Runs the benchmark and writes its report.
 #include "vndf/bench/speed_report.h"
 
 #include <fmt/chrono.h>
@@ -161,7 +161,7 @@ nlohmann::ordered_json number_or_null(const std::optional<double>& value) {
   return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
 }
 
-/// Of seconds, in units of 1 / `scale` seconds.
+/// The seconds of `t` in units of 1 / `scale` seconds.
 nlohmann::ordered_json to_json(const Timing& t, double scale) {
   return {
       {"median", t.median * scale}, {"lowest", t.lowest * scale}, {"highest", t.highest * scale}};
