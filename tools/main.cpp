@@ -2,7 +2,9 @@
 // failure (one line on standard error) or a sampler that does not pass, and 2 for wrong usage.
 #include <exception>
 #include <iostream>
+#include <string>
 
+#include "commands/command_line.h"
 #include "commands/commands.h"
 #include "commands/output_file.h"
 
@@ -13,8 +15,9 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", vndf::tools::kProgram);
   app.require_subcommand(1);
   app.fallthrough(false);
-  vndf::tools::add_build(app);
-  vndf::tools::add_bake(app);
+  const std::string line = vndf::tools::command_line(argc, argv);
+  vndf::tools::add_build(app, line);
+  vndf::tools::add_bake(app, line);
   vndf::tools::add_info(app);
   vndf::tools::add_sample(app);
   vndf::tools::add_convert(app);

@@ -20,7 +20,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "blocks are read as they lie in files");
 
 constexpr std::size_t kChecksumBegin = offsetof(KernelHeader, checksum);
-constexpr std::size_t kPatchBytes = 64, kCubicBytes = 16, kGuideBytes = 8;
+constexpr std::size_t kSampleBytes = 16, kPatchBytes = 64, kCubicBytes = 16, kGuideBytes = 8;
 constexpr std::size_t kMostBytes = 1u << 30;
 
 [[noreturn]] void fail(const std::string& rule) {
@@ -29,6 +29,12 @@ constexpr std::size_t kMostBytes = 1u << 30;
 
 void require(bool holds, const char* rule) {
   if (!holds) fail(rule);
+}
+
+double double_at(std::span<const std::byte> bytes, std::size_t at) {
+  double value;
+  std::memcpy(&value, bytes.data() + at, sizeof value);
+  return value;
 }
 
 /// A block that is not trusted yet.
@@ -63,9 +69,20 @@ class Checker {
             "the bytes are fewer or more than the header says");
     require(h.checksum == kernel_checksum(bytes_),
             "the checksum does not match: bytes were changed");
-    require(h.text <= bytes_.size() && h.text_bytes <= bytes_.size() - h.text &&
-                (h.text_bytes == 0 || bytes_[h.text + h.text_bytes - 1] == std::byte{0}),
-            "texts are outside the block");
+    check_text();
+  }
+
+  /// The samples and after them the texts are the end of the block.
+  void check_text() const {
+    const KernelHeader& h = header();
+    const std::size_t samples_end = h.samples + std::size_t{h.sample_count} * kSampleBytes;
+    require(h.samples >= sizeof(KernelHeader) && h.samples % sizeof(double) == 0 &&
+                h.sample_count <= kMaxSamples && samples_end == h.text &&
+                samples_end + h.text_bytes == bytes_.size(),
+            "the samples and texts are not the end of the block");
+    require(h.text_bytes == 0 || bytes_.back() == std::byte{0}, "a text has no end");
+    for (std::size_t at = h.samples; at < samples_end; at += sizeof(double))
+      require(std::isfinite(double_at(bytes_, at)), "a sample is not a finite number");
   }
 
   void check_numbers() const {
@@ -229,15 +246,15 @@ struct OwnedBlock {
   std::span<const std::byte> bytes;
 };
 
-/// A block of the bytes `begin` and then `text`, with a header that `change` has changed and the
+/// A block of the bytes `begin` and then `end`, with a header that `change` has changed and the
 /// checksum that belongs to it.
 template <class Change>
-OwnedBlock changed_copy(std::span<const std::byte> begin, std::string_view text, Change change) {
-  const std::size_t size = begin.size() + text.size();
+OwnedBlock changed_copy(std::span<const std::byte> begin, std::string_view end, Change change) {
+  const std::size_t size = begin.size() + end.size();
   const auto owner = aligned_bytes(size);
   const std::span<std::byte> own(owner.get(), size);
   std::ranges::copy(begin, own.begin());
-  std::ranges::copy(std::as_bytes(std::span(text)), own.subspan(begin.size()).begin());
+  std::ranges::copy(std::as_bytes(std::span(end)), own.subspan(begin.size()).begin());
   auto* header = reinterpret_cast<KernelHeader*>(own.data());
   change(*header);
   header->checksum = kernel_checksum(own);
@@ -251,14 +268,31 @@ std::string digits_of(double number) {
   return text.data();
 }
 
-std::string joined(const KernelText& text) {
-  std::string all;
-  for (const std::string* part :
-       {&text.distribution, &text.recipe, &text.program, &text.input_checksum, &text.notes}) {
-    all += part->substr(0, part->find('\0'));
-    all += '\0';
-  }
-  return all;
+/// The texts in their order in a block, each of which `text` keeps.
+template <class Text>
+auto parts_of(Text& text) {
+  auto& p = text.provenance;
+  return std::array{&text.distribution, &p.specification.text, &p.command, &p.program, &p.notes};
+}
+
+void require_storable(const KernelText& text) {
+  auto broken = check_text("distribution", text.distribution);
+  if (!broken) broken = check(text.provenance);
+  if (broken) throw KernelTablesError(*broken + "; shorten or correct it");
+}
+
+std::string sample_bytes(const Specification& specification) {
+  std::string bytes;
+  for (std::size_t i = 0; i < specification.r.size(); ++i)
+    for (const double value : {specification.r[i], specification.p22[i]})
+      bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+  return bytes;
+}
+
+std::string text_bytes(const KernelText& text) {
+  std::string bytes;
+  for (const std::string* part : parts_of(text)) bytes.append(*part).push_back('\0');
+  return bytes;
 }
 
 }  // namespace
@@ -320,11 +354,16 @@ KernelText KernelTables::text() const {
   const char* at = reinterpret_cast<const char*>(bytes_.data()) + header().text;
   const char* end = at + header().text_bytes;
   KernelText text;
-  for (std::string* part :
-       {&text.distribution, &text.recipe, &text.program, &text.input_checksum, &text.notes}) {
+  for (std::string* part : parts_of(text)) {
     const char* zero = std::find(at, end, '\0');
     part->assign(at, zero);
     at = zero == end ? end : zero + 1;
+  }
+  Specification& specification = text.provenance.specification;
+  for (std::size_t i = 0; i < header().sample_count; ++i) {
+    const std::size_t place = header().samples + i * kSampleBytes;
+    specification.r.push_back(double_at(bytes_, place));
+    specification.p22.push_back(double_at(bytes_, place + sizeof(double)));
   }
   return text;
 }
@@ -366,10 +405,14 @@ Kernel KernelTables::kernel() const {
 }
 
 KernelTables KernelTables::with_text(const KernelText& text) const {
-  const std::string texts = joined(text);
-  const OwnedBlock block = changed_copy(bytes_.first(header().text), texts, [&](KernelHeader& h) {
-    h.bytes = h.text + texts.size();
-    h.text_bytes = static_cast<std::uint32_t>(texts.size());
+  require_storable(text);
+  const std::string samples = sample_bytes(text.provenance.specification);
+  const std::string end = samples + text_bytes(text);
+  const OwnedBlock block = changed_copy(bytes_.first(header().samples), end, [&](KernelHeader& h) {
+    h.sample_count = static_cast<std::uint32_t>(samples.size() / kSampleBytes);
+    h.text = h.samples + static_cast<std::uint32_t>(samples.size());
+    h.text_bytes = static_cast<std::uint32_t>(end.size() - samples.size());
+    h.bytes = h.samples + end.size();
   });
   return {block.owner, block.bytes};
 }

@@ -15,6 +15,7 @@
 
 #include "vndf/certificate.h"
 #include "vndf/kernel.h"
+#include "vndf/provenance.h"
 
 namespace vndf {
 
@@ -56,28 +57,26 @@ struct KernelHeader {
       column_offset, column_span;
   std::uint32_t column_upper, column_mirror, column_roots, slope_upper, separable;
   kernel::VndfCurve ndf, backfacing;
-  std::uint32_t text, text_bytes;  ///< distribution, recipe, program, input checksum, notes, each
-                                   ///< with a 0 after it
-  std::uint32_t certified;         ///< 1 where the certificate was measured against the exact law
-  std::uint32_t reserved[1];
-  double tolerance;                   ///< that it was baked for
-  double difference_x, difference_y;  ///< largest differences in u from the pair
+  std::uint32_t text,
+      text_bytes;  ///< the texts of KernelText in their order, each with a 0 after it
+  std::uint32_t
+      certified;  ///< 1 where the certificate was measured against the distribution itself
+  std::uint32_t samples, sample_count;  ///< of the specification, two float64 each: radius, density
+  double tolerance;                     ///< that it was baked for
+  double difference_x, difference_y;    ///< largest differences in u from the pair
   std::array<double, 25> certificate;
 };
 static_assert(sizeof(KernelHeader) % 16 == 0);
 
 inline constexpr char kKernelMagic[] = "vndfkern";
-inline constexpr std::uint32_t kKernelVersion = 1;
+inline constexpr std::uint32_t kKernelVersion = 2;
 /// Blocks begin at a multiple of it.
 inline constexpr std::size_t kKernelAlignment = 64;
 
-/// What is written beside the numbers.
+/// What a block says of itself beside the numbers. Sampling does not read it.
 struct KernelText {
-  std::string distribution;    ///< name, for people
-  std::string recipe;          ///< the command that makes the file again
-  std::string program;         ///< name and version of the program that wrote it
-  std::string input_checksum;  ///< of the file that the recipe reads; or empty
-  std::string notes;
+  std::string distribution = {};  ///< name, for people
+  Provenance provenance = {};
 };
 
 /// A sum over all bytes but those of the checksum itself, which finds accidents, not forgery: four
@@ -105,8 +104,9 @@ class KernelTables {
   /// The sampler. It refers to the bytes and does not own them.
   Kernel kernel() const;
 
-  /// The same tables with a certificate, which says whether it was measured against the exact law;
-  /// with the largest differences from their pair; with other texts.
+  /// Return the same tables with something else about them: a certificate, and whether it was
+  /// measured against the distribution itself; the largest differences from their pair; a text.
+  /// with_text() throws KernelTablesError for one that breaks a rule of check(Provenance).
   KernelTables with_certificate(const Certificate& certificate, bool measured) const;
   KernelTables with_differences(double x, double y) const;
   KernelTables with_text(const KernelText& text) const;

@@ -2,6 +2,8 @@
 // again anywhere: a validator must know the distribution that a sampler claims to follow.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,9 @@ struct Specification {
   bool operator==(const Specification&) const = default;
 };
 
+/// Limits of both formats of files. HDF5 holds texts of just under 64 KiB.
+inline constexpr std::size_t kMaxTextBytes = 60000, kMaxSamples = 1u << 20;
+
 struct Provenance {
   Specification specification;
   std::string command = {};  ///< how the file was made, for people; nothing reads it
@@ -28,5 +33,12 @@ struct Provenance {
 
   bool operator==(const Provenance&) const = default;
 };
+
+/// Returns the first rule that is broken, for a message, or nothing: as many radii as densities,
+/// kMaxSamples at most and all finite; texts of at most kMaxTextBytes without a zero byte.
+std::optional<std::string> check(const Provenance& provenance);
+
+/// The same rule for one text, which the message calls `name`.
+std::optional<std::string> check_text(const std::string& name, const std::string& text);
 
 }  // namespace vndf

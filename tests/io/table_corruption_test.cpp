@@ -52,7 +52,7 @@ TableFile good_file() {
                  .marginal_map = {{0, 0.5}, {0.25, 0.5}, {1, 0.75}},
                  .log_ndf = curve(),
                  .log_backfacing = curve()}),
-          {"recipe", "program"},
+          {{"profile", {0, 0.5, 1, 2}, {1, 0.75, 0.5, 0}}, "command", "program"},
           {}};
 }
 
@@ -166,7 +166,8 @@ std::function<void(StoredTables&)> marginal_with(std::size_t index, float value)
     SlopeTables tables = *good_file().tables;
     tables.marginal = {kRows, kColumns, values};
     stored.arrays["marginal"].values = values;
-    stored.attributes["content_checksum"] = hex_digits(content_checksum(tables));
+    stored.attributes["content_checksum"] =
+        hex_digits(content_checksum(tables, good_file().provenance.specification));
   };
 }
 
@@ -226,11 +227,15 @@ TEST_CASE("a file with a byte changed, added or lost is refused") {
   }
 }
 
-TEST_CASE("the content checksum depends on all that sampling depends on, and on nothing else") {
-  const auto differs = [](const std::function<void(SlopeTables&)>& change) {
-    SlopeTables tables = *good_file().tables;
+TEST_CASE("the content checksum depends on the tables and their specification alone") {
+  const auto checksum = [](const SlopeTables& tables, const Provenance& provenance) {
+    return content_checksum(tables, provenance.specification);
+  };
+  const TableFile good = good_file();
+  const auto differs = [&](const std::function<void(SlopeTables&)>& change) {
+    SlopeTables tables = *good.tables;
     change(tables);
-    return content_checksum(tables) != content_checksum(*good_file().tables);
+    return checksum(tables, good.provenance) != checksum(*good.tables, good.provenance);
   };
   CHECK(differs([](SlopeTables& t) { t.mean_slope = 0.5; }));
   CHECK(differs([](SlopeTables& t) { t.marginal = {kColumns, kRows, rows()}; }));
@@ -250,6 +255,16 @@ TEST_CASE("the content checksum depends on all that sampling depends on, and on 
     t.log_backfacing = {{{0, 0.5, Grading::none, {{0, 0}, {-1, 0}}}}, true};
   }));
   CHECK_FALSE(differs([](SlopeTables& t) { t.distribution = "another name"; }));
+
+  const auto provenance_differs = [&](const std::function<void(Provenance&)>& change) {
+    Provenance provenance = good.provenance;
+    change(provenance);
+    return checksum(*good.tables, provenance) != checksum(*good.tables, good.provenance);
+  };
+  CHECK(provenance_differs([](Provenance& p) { p.specification.text = "ggx"; }));
+  CHECK(provenance_differs([](Provenance& p) { p.specification.r[1] = 0.25; }));
+  CHECK(provenance_differs([](Provenance& p) { p.specification.p22[3] = 0.25; }));
+  CHECK_FALSE(provenance_differs([](Provenance& p) { p.command = p.program = p.notes = "x"; }));
 }
 
 TEST_CASE("tables that do not match their checksum are refused") {
@@ -261,6 +276,9 @@ TEST_CASE("tables that do not match their checksum are refused") {
   damaged(replace("marginal_rows", {{2, 2}, std::vector<double>{0, 0, 1, 1}}));
   damaged(replace("log_ndf_segments", {{1, 4}, std::vector<double>{0, 5, 1, double{kNodes}}}));
   damaged(replace("marginal", {{kColumns, kRows}, rows()}));
+  damaged([](StoredTables& s) { s.attributes["specification"] = "ggx"; });
+  damaged(replace("profile_samples", {{3, 2}, std::vector<double>{0, 1, 0.5, 0.75, 1, 0}}));
+  damaged([](StoredTables& s) { s.arrays.erase("profile_samples"); });
 }
 
 TEST_CASE("values that break a rule are refused even where the checksum is right") {
@@ -269,6 +287,30 @@ TEST_CASE("values that break a rule are refused even where the checksum is right
                 {"marginal table, row 1", "not a finite number"});
   check_refused(marginal_with(kColumns + 3, 0), {"row 1", "below the column before it"});
   check_refused(marginal_with(kColumns - 1, 2), {"row 0", "outside [0, 1]"});
+}
+
+TEST_CASE("samples that break a rule are refused even where the checksum is right") {
+  const auto refused = [](double r, double p22, const std::vector<std::string>& parts) {
+    const auto change = [=](StoredTables& s) {
+      TableFile file = good_file();
+      Specification& specification = file.provenance.specification;
+      specification.r[1] = r;
+      specification.p22[1] = p22;
+      s.arrays["profile_samples"].values = std::vector<double>{0, 1, r, p22, 1, 0.5, 2, 0};
+      s.attributes["content_checksum"] = hex_digits(content_checksum(*file.tables, specification));
+    };
+    check_refused(change, parts);
+  };
+  refused(std::numeric_limits<double>::quiet_NaN(), 1, {"a sample", "not a finite number"});
+  refused(0.5, std::numeric_limits<double>::infinity(), {"a sample", "not a finite number"});
+  const std::string shape = "'profile_samples' has the shape ";
+  check_refused(replace("profile_samples", {{2, 4}, std::vector<double>(8)}), {shape + "2 x 4"});
+  check_refused(replace("profile_samples", {{8}, std::vector<double>(8)}), {shape + "8,"},
+                kOnlyHdf5);
+  check_refused(replace("profile_samples", {{4, 2}, std::vector<float>(8)}), {"are not float64"});
+  constexpr std::size_t kMany = kMaxSamples + 1;
+  check_refused(replace("profile_samples", {{kMany, 2}, std::vector<double>(2 * kMany)}),
+                {shape + "1048577 x 2"}, kOnlyHdf5);
 }
 
 TEST_CASE("any attribute missing or of another type is refused") {

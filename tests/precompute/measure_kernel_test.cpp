@@ -76,7 +76,7 @@ TEST_CASE("baking measures, and says so") {
   const UnitSlopes slopes(*d, {});
   const SlopeTables& pair = *small_tables("ggx").tables;
   const KernelTables tables =
-      bake_certified(slopes, pair, {.tolerance = kBakedWithin}, {"ggx", "", "", "", ""}, {});
+      bake_certified(slopes, pair, {.tolerance = kBakedWithin}, {"ggx"}, {});
   CHECK(tables.header().certified == 1);
   CHECK(tables.text().distribution == "ggx");
   CHECK(tables.certificate().marginal.max_u_error ==
@@ -85,11 +85,12 @@ TEST_CASE("baking measures, and says so") {
 
 TEST_CASE("without the law the certificate is the pair's with the differences, and says so") {
   const auto& built = small_tables("ggx");
-  const KernelTables tables = bake_uncertified(
-      *built.tables, built.certificate, {.tolerance = kBakedWithin}, {"", "", "", "", "a note"});
+  const KernelText text{"", {.specification = {}, .notes = "a note"}};
+  const KernelTables tables =
+      bake_uncertified(*built.tables, built.certificate, {.tolerance = kBakedWithin}, text);
   const Certificate c = tables.certificate();
   CHECK(tables.header().certified == 0);
-  CHECK(tables.text().notes == "a note");
+  CHECK(tables.text().provenance.notes == "a note");
   CHECK(c.marginal.max_u_error ==
         built.certificate.marginal.max_u_error + tables.header().difference_x);
   CHECK(c.conditional.max_u_error ==

@@ -41,11 +41,16 @@ class Folder {
 
   /// Where nothing can be printed.
   Result run_on_full_disk(const std::string& arguments) const {
-    return run_to("/dev/full", arguments, "");
+    return run_to("/dev/full", path_, arguments, "");
   }
 
   Result run(const std::string& arguments, const std::string& input = "") const {
-    return run_to("", arguments, input);
+    return run_to("", path_, arguments, input);
+  }
+
+  /// With another working directory, one inside this folder.
+  Result run_in(const std::string& subfolder, const std::string& arguments) const {
+    return run_to("", path_ / subfolder, arguments, "");
   }
 
   /// Names of the files inside.
@@ -58,12 +63,12 @@ class Folder {
 
  private:
   /// Standard output goes to `place`, or to the result where that is empty.
-  Result run_to(const std::string& place, const std::string& arguments,
-                const std::string& input) const {
+  Result run_to(const std::string& place, const std::filesystem::path& directory,
+                const std::string& arguments, const std::string& input) const {
     const std::filesystem::path streams = path_.string() + "-streams";
     std::filesystem::create_directories(streams);
     std::ofstream(streams / "in") << input;
-    const std::string command = "cd " + path_.string() + " && " VNDF_PROGRAM " " + arguments +
+    const std::string command = "cd " + directory.string() + " && " VNDF_PROGRAM " " + arguments +
                                 " <" + (streams / "in").string() + " >" +
                                 (place.empty() ? (streams / "out").string() : place) + " 2>" +
                                 (streams / "error").string();

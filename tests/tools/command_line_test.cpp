@@ -5,12 +5,15 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <random>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/catch.h"
 #include "support/program_folder.h"
+#include "vndf/io/exr_image.h"
 
 namespace fs = std::filesystem;
 using vndf::test::Approx;
@@ -169,7 +172,7 @@ TEST_CASE("what was printed to a full disk is not taken for success") {
 TEST_CASE("info shows what a file holds, for people and as JSON") {
   const FolderWithTables folder;
   CHECK_THAT(folder.run("info ggx.h5").out, contains("ggx") && contains("32 x 48") &&
-                                                contains("vndf build ggx --size 32x48 -o ggx.h5"));
+                                                contains("vndf build ggx -o ggx.h5 --size 32x48"));
   const auto json = nlohmann::json::parse(folder.run("info ggx.h5 --json").out);
   CHECK(json.at("distribution") == "ggx");
   CHECK(json.at("mean_slope").get<double>() == Approx(1));
@@ -335,37 +338,94 @@ TEST_CASE("build --list names every family with its parameters") {
   CHECK_THAT(r.out, contains("gamma=2.5 (> 3/2)"));
 }
 
-TEST_CASE(
-    "specifications, formulas and frozen surfaces become tables whose recipe makes them again") {
+TEST_CASE("a file says which distribution it holds and how it was made, whatever the kind") {
   const Folder folder;
-  for (const std::string source :
-       {"student-t:gamma=3", "'mixture:0.7*ggx+0.3*beckmann@0.2'",
-        "--p22 'exp(-k*r^2)' --param k=2.5 --name mine", "--p22 'r < 1 ? 1 : exp(-r)' --break 1",
-        "--ndf '1/cos(theta)^4/(1+tan(theta)^2)^3'",
-        "--ndf 'alpha^2/(cos(theta)^2*(alpha^2-1)+1)^2'",
-        "--ndf 'cos(theta)^(2/alpha^2-2)' --frozen-at 0.3"}) {
+  const std::vector<std::pair<std::string, std::string>> sources = {
+      {"student-t", "student-t:gamma=2.5"},
+      {"'mixture:0.7*ggx+0.3*beckmann@0.2' --name \"it's\"",
+       "mixture:0.7*ggx+0.3*beckmann@0.2 name:'it''s'"},
+      {"--p22 'exp(-k*r^2)' --param k=2.5 --name mine",
+       "p22:'exp(-k*r^2)' param:k=2.5 name:'mine'"},
+      {"--p22 'r < 1 ? 1 : exp(-r)' --break 1", "p22:'r < 1 ? 1 : exp(-r)' break:1"},
+      {"--ndf 'alpha^2/(cos(theta)^2*(alpha^2-1)+1)^2'",
+       "ndf:'alpha^2/(cos(theta)^2*(alpha^2-1)+1)^2'"},
+      {"--ndf 'cos(theta)^(2/alpha^2-2)' --frozen-at 0.3",
+       "ndf:'cos(theta)^(2/alpha^2-2)' frozen-at:0.3"}};
+  for (const auto& [source, specification] : sources) {
     CAPTURE(source);
     REQUIRE(folder.run("build " + source + " -o a.h5 --size 24 --quiet").error.empty());
     const auto info = nlohmann::json::parse(folder.run("info a.h5 --json").out);
-    const std::string first = content(folder / "a.h5");
-    fs::remove(folder / "a.h5");
-    const std::string recipe = info.at("recipe");
-    REQUIRE(recipe.substr(0, 5) == "vndf ");
-    REQUIRE(folder.run(recipe.substr(5) + " --quiet").status == 0);
-    CHECK(content(folder / "a.h5") == first);
+    CHECK(info.at("specification") == specification);
+    CHECK_THAT(info.at("command").get<std::string>(), contains(" -o a.h5 --size 24"));
+    CHECK(folder.run("validate a.h5 --quick --seed 1").error.empty());
   }
-  CHECK_THAT(folder.run("info a.h5").out, contains("not a family in alpha"));
+  CHECK_THAT(folder.run("info a.h5").out,
+             contains("frozen-at:0.3") && contains("not a family in alpha"));
 }
 
-TEST_CASE("a measured profile becomes tables, with its tail and checksum in the file") {
+TEST_CASE("the command in a file leaves out what does not change the file") {
   const Folder folder;
-  std::ofstream csv(folder / "p.csv");
+  REQUIRE(folder.run("build ggx --threads 2 --size=16 --name 'a b' -o a.h5 --json").status == 0);
+  const auto info = nlohmann::json::parse(folder.run("info a.h5 --json").out);
+  CHECK(info.at("command") == "vndf build ggx --size=16 --name 'a b' -o a.h5");
+}
+
+namespace {
+
+void write_profile(const fs::path& path) {
+  std::ofstream csv(path);
   csv << "r,p22\n";
   for (double r = 0; r < 20; r = r * 1.1 + 0.02) csv << r << ',' << std::pow(1 + r * r, -2) << '\n';
-  csv.close();
+}
+
+/// A map of 128 x 128 normally distributed slopes.
+void write_map(const fs::path& path) {
+  constexpr std::size_t kSide = 128;
+  std::mt19937 random(7);
+  std::normal_distribution<float> normal;
+  vndf::io::ExrImage map{.width = kSide, .height = kSide};
+  for (const char* channel : {"slope_x", "slope_y"})
+    for (std::size_t i = 0; i < kSide * kSide; ++i)
+      map.channels[channel].push_back(0.3f * normal(random));
+  std::ofstream(path, std::ios::binary) << vndf::io::write_exr_image(map);
+}
+
+}  // namespace
+
+TEST_CASE("tables of a profile are validated anywhere, without its file") {
+  const Folder folder;
+  write_profile(folder / "p.csv");
   REQUIRE(folder.run("build --profile p.csv --tail power -o a.h5 --size 64 --quiet").status == 0);
-  const std::string info = folder.run("info a.h5").out;
-  CHECK_THAT(info, contains("tail: power") && contains("CRC-64") && contains("--profile p.csv"));
+  REQUIRE(folder.run("convert a.h5 a.exr").status == 0);
+  REQUIRE(folder.run("bake a.h5 -o a.vndf --tolerance 1e-4 --quiet").error.empty());
+  fs::remove(folder / "p.csv");
+  fs::create_directory(folder / "elsewhere");
+  CHECK_THAT(folder.run("info a.h5").out, contains("profile tail:power=3.9") &&
+                                              contains("name:'p', ") && contains(" samples\n") &&
+                                              contains("--profile p.csv"));
+  for (const std::string file : {"../a.h5", "../a.exr", "../a.vndf"}) {
+    CAPTURE(file);
+    const Result r = folder.run_in("elsewhere", "validate " + file + " --quick --seed 1");
+    CHECK(r.error.empty());
+    CHECK(r.status == 0);
+    CHECK_THAT(folder.run_in("elsewhere", "check none.csv --against " + file).error,
+               contains("none.csv"));
+  }
+}
+
+TEST_CASE("tables of a map are validated anywhere, without its file") {
+  const Folder folder;
+  write_map(folder / "m.exr");
+  REQUIRE(folder.run("build --normal-map m.exr -o a.h5 --size 64 --quiet").status == 0);
+  REQUIRE(folder.run("bake a.h5 -o a.vndf --tolerance 1e-3 --quiet").error == "");
+  fs::remove(folder / "m.exr");
+  fs::create_directory(folder / "elsewhere");
+  for (const std::string file : {"../a.h5", "../a.vndf"}) {
+    CAPTURE(file);
+    const Result r = folder.run_in("elsewhere", "validate " + file + " --quick --seed 1");
+    CHECK(r.error.empty());
+    CHECK(r.status == 0);
+  }
 }
 
 TEST_CASE("a profile with the marks and line ends of other systems is the same profile") {

@@ -67,7 +67,7 @@ TEST_CASE("validate prints a fresh seed where none is given") {
   CHECK(first.substr(0, first.find('\n')) != second.substr(0, second.find('\n')));
 }
 
-TEST_CASE("validate checks tables of a formula by their recipe") {
+TEST_CASE("validate makes the distribution of a formula again from the file") {
   const Folder folder;
   REQUIRE(
       folder.run("build --p22 'exp(-a*r^2)*(1+r)' --param a=2 -o f.h5 --size 64 --quiet").status ==
@@ -75,7 +75,7 @@ TEST_CASE("validate checks tables of a formula by their recipe") {
   CHECK(folder.run("validate f.h5 --quick").status == 0);
 }
 
-TEST_CASE("validate checks tables of every layout that build makes, by their recipe") {
+TEST_CASE("validate checks tables of every layout that build makes") {
   const Folder folder;
   for (const std::string layout : {"--size 48x64", "--size 48 --precision double"}) {
     CAPTURE(layout);

@@ -3,9 +3,12 @@
 #include "vndf/kernel_tables.h"
 
 #include <algorithm>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <optional>
+#include <string>
 
 #include "support/baked_tables.h"
 #include "support/catch.h"
@@ -103,19 +106,54 @@ TEST_CASE("texts and a certificate are kept beside the same numbers") {
   Certificate certificate;
   certificate.marginal.max_u_error = 1e-5;
   certificate.max_pdf_error = 2e-5;
-  const KernelText text{"a law", "vndf build", "vndf 1", "0123", "one\ntwo\n"};
+  const KernelText text{
+      "a name", {{"profile", {0, 0.5, 2}, {1, 1.0 / 3, 0}}, "vndf build", "vndf 1", "one\ntwo\n"}};
   const KernelTables tables = smallest().with_certificate(certificate, true).with_text(text);
   const KernelTables again = KernelTables::copy(tables.bytes());
-  CHECK(again.text().distribution == "a law");
-  CHECK(again.text().recipe == "vndf build");
-  CHECK(again.text().program == "vndf 1");
-  CHECK(again.text().input_checksum == "0123");
-  CHECK(again.text().notes == "one\ntwo\n");
+  CHECK(again.text().distribution == "a name");
+  CHECK(again.text().provenance == text.provenance);
+  CHECK(tables.with_text({"another"}).text().provenance == Provenance());
   CHECK(again.certificate().marginal.max_u_error == 1e-5);
   CHECK(again.certificate().max_pdf_error == 2e-5);
   CHECK(again.header().certified == 1);
   CHECK(again.sampling_bytes() == smallest().sampling_bytes());
   CHECK(smallest().header().certified == 0);
+}
+
+TEST_CASE("samples and texts outside of the rules are neither written nor read") {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  const auto writing = [](const Specification& specification) {
+    try {
+      smallest().with_text({"", {specification}});
+    } catch (const KernelTablesError& error) {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  CHECK_THAT(writing({"profile", {0, 1}, {1, kNan}}), contains("not a finite number"));
+  CHECK_THAT(writing({"profile", {0, 1}, {1}}), contains("2 radii and 1 densities"));
+  CHECK_THAT(writing({std::string("a\0b", 3)}), contains("'specification' has a zero byte"));
+  CHECK_THAT(writing({std::string(kMaxTextBytes + 1, 'x')}), contains("longer than 60000 bytes"));
+
+  const KernelTables tables = smallest().with_text({"", {{"profile", {0, 1}, {1, 0}}}});
+  const auto reading = [&](auto change) {
+    Block block(tables.bytes());
+    change(block);
+    block.seal();
+    return refusal(block.bytes());
+  };
+  CHECK_THAT(reading([&](Block& b) {
+               std::memcpy(b.data() + b.header().samples + 8, &kNan, sizeof kNan);
+             }),
+             contains("a sample is not a finite number"));
+  const auto misplaced = contains("the samples and texts are not the end of the block");
+  CHECK_THAT(reading([](Block& b) { b.header().sample_count += 1; }), misplaced);
+  CHECK_THAT(reading([](Block& b) { b.header().sample_count = 0x10000001; }), misplaced);
+  CHECK_THAT(reading([](Block& b) { b.header().samples += 8; }), misplaced);
+  CHECK_THAT(reading([](Block& b) { b.header().samples = 16; }), misplaced);
+  CHECK_THAT(reading([](Block& b) { b.header().text_bytes -= 1; }), misplaced);
+  CHECK_THAT(reading([](Block& b) { b.data()[b.size() - 1] = std::byte{'x'}; }),
+             contains("a text has no end"));
 }
 
 TEST_CASE("a block that was cut anywhere is refused") {
@@ -132,8 +170,8 @@ TEST_CASE("a block that was cut and sealed again is never read beyond its end") 
        length += kStep) {
     Block block(smallest().bytes().first(length));
     block.header().bytes = length;
-    block.header().text = static_cast<std::uint32_t>(length);
-    block.header().text_bytes = 0;
+    block.header().samples = block.header().text = static_cast<std::uint32_t>(length);
+    block.header().sample_count = block.header().text_bytes = 0;
     block.seal();
     accepted(block.bytes());
   }
@@ -177,7 +215,7 @@ TEST_CASE("each refusal names its rule") {
   CHECK_THAT(refusal(block.bytes()), contains("not a file of baked tables"));
   block.data()[0] ^= std::byte{1};
   block.header().version = 9;
-  CHECK_THAT(refusal(block.bytes()), contains("version 9") && contains("reads 1"));
+  CHECK_THAT(refusal(block.bytes()), contains("version 9") && contains("reads 2"));
   block.header().version = kKernelVersion;
   block.header().unit = -1;
   CHECK_THAT(refusal(block.bytes()), contains("checksum"));

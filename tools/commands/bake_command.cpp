@@ -1,8 +1,7 @@
-// vndf bake: the pair of tables becomes those that a kernel samples from.
+// vndf bake: turns the pair of tables into those that a renderer samples from.
 #include <fmt/format.h>
 
 #include <chrono>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -12,7 +11,6 @@
 #include "commands/commands.h"
 #include "commands/output_file.h"
 #include "commands/table_files.h"
-#include "commands/verdicts.h"
 #include "report/report.h"
 #include "vndf/precompute/bake_certified.h"
 
@@ -26,35 +24,22 @@ struct Arguments {
   bool json = false, quiet = false;
 };
 
-std::string file_name(const std::string& path) {
-  return std::filesystem::path(path).filename().string();
-}
-
-KernelText text_of(const io::TableFile& pair, const Arguments& a) {
-  const std::string options = recipe_options(options_of(a.baking));
-  return {.distribution = pair.tables->distribution,
-          .recipe = build_recipe(pair.provenance.recipe, a.output, options)
-                        .value_or("vndf bake " + file_name(a.input) + options + " -o " +
-                                  file_name(a.output)),
-          .program = kProgram,
-          .input_checksum = pair.provenance.input_checksum,
-          .notes = pair.provenance.notes};
-}
-
-/// With the certificate that is measured against the exact law, or, where that cannot be had again,
-/// one that follows from the pair's.
-KernelTables baked(const io::TableFile& pair, const Arguments& a) {
+/// Bakes with a certificate that is measured against the distribution. Where that cannot be made
+/// again, the certificate follows from the pair's.
+KernelTables baked(const io::TableFile& pair, const Arguments& a, const std::string& command_line) {
   const BakeOptions options = options_of(a.baking);
-  KernelText text = text_of(pair, a);
+  KernelText text{pair.tables->distribution, pair.provenance};
+  text.provenance.command += "\n" + command_line;
+  text.provenance.program = kProgram;
   std::unique_ptr<distributions::SlopeDistribution> distribution;
   try {
-    distribution = distribution_of(pair.provenance.recipe, pair.provenance.input_checksum);
+    distribution = distribution_of(a.input, pair);
   } catch (const std::exception& e) {
     const std::string note = fmt::format(
         "certificate: that of the pair and the differences from it, not measured, for {}",
         e.what());
     if (!a.quiet) std::cerr << "vndf: warning: " << note << '\n';
-    text.notes += note + "\n";
+    text.provenance.notes += note + "\n";
     return precompute::bake_uncertified(*pair.tables, pair.certificate, options, text);
   }
   const support::Workers workers{a.threads};
@@ -62,12 +47,12 @@ KernelTables baked(const io::TableFile& pair, const Arguments& a) {
                                     options, text, workers);
 }
 
-void bake_file(const Arguments& a) {
+void bake_file(const Arguments& a, const std::string& command_line) {
   const auto start = std::chrono::steady_clock::now();
   if (!names_baked_tables(a.output))
     throw std::runtime_error(a.output + ": baked tables are written to a .vndf file; give one");
   require_output(a.output, {a.input});
-  const KernelTables tables = baked(load_pair(a.input), a);
+  const KernelTables tables = baked(load_pair(a.input), a, command_line);
   save(a.output, tables);
 
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
@@ -83,7 +68,7 @@ void bake_file(const Arguments& a) {
 
 }  // namespace
 
-void add_bake(CLI::App& app) {
+void add_bake(CLI::App& app, const std::string& command_line) {
   auto* command = app.add_subcommand(
       "bake", "Turn the tables of a file into those that renderers sample from (.vndf)");
   const auto arguments = std::make_shared<Arguments>();
@@ -93,7 +78,7 @@ void add_bake(CLI::App& app) {
   add_threads(*command, arguments->threads);
   auto* json = command->add_flag("--json", arguments->json, "Print the report as one JSON object");
   command->add_flag("--quiet", arguments->quiet, "Print nothing")->excludes(json);
-  command->callback([arguments] { bake_file(*arguments); });
+  command->callback([arguments, command_line] { bake_file(*arguments, command_line); });
 }
 
 }  // namespace vndf::tools

@@ -44,10 +44,6 @@ BakeOptions options_of(const BakeArguments& arguments) {
   return options;
 }
 
-std::string recipe_options(const BakeOptions& options) {
-  return fmt::format(" --tolerance {} --max-bytes {}", options.tolerance, options.max_bytes);
-}
-
 void require_baked_output(const BakeArguments& arguments, const std::string& output) {
   if (names_baked_tables(output)) return;
   const auto refuse = [&](const char* option) {

@@ -21,9 +21,6 @@ void add_bake_options(CLI::App& command, BakeArguments& arguments);
 /// What is asked for, with the defaults of BakeOptions.
 BakeOptions options_of(const BakeArguments& arguments);
 
-/// The same as options of a command line, for a recipe.
-std::string recipe_options(const BakeOptions& options);
-
 /// Throws CLI::ValidationError if an option of baking is given where `output` is a pair of tables.
 void require_baked_output(const BakeArguments& arguments, const std::string& output);
 

@@ -16,6 +16,7 @@
 #include "commands/output_file.h"
 #include "commands/table_files.h"
 #include "report/report.h"
+#include "vndf/distributions/specification.h"
 #include "vndf/precompute/bake_certified.h"
 #include "vndf/precompute/build_tables.h"
 
@@ -39,7 +40,7 @@ bool parse_number(std::string_view text, std::size_t& number) {
   return error == std::errc() && end == text.data() + text.size();
 }
 
-/// "N" or "NTHETAxNU"; the limits are the builder's to judge.
+/// "N" or "NTHETAxNU"; the builder checks its limits.
 bool parse_size(const std::string& text, Size& size) {
   const auto x = text.find('x');
   if (x == std::string::npos) {
@@ -74,14 +75,6 @@ std::function<void(double)> progress_bar(const BuildArguments& arguments) {
   };
 }
 
-std::string recipe(const BuildArguments& arguments, const std::string& source, const Size& size) {
-  const bool baked = names_baked_tables(arguments.output);
-  return fmt::format("vndf build {} --size {}x{}{}{} -o {}", source, size.rows, size.columns,
-                     arguments.precision == "double" ? " --precision double" : "",
-                     baked ? recipe_options(options_of(arguments.baking)) : "",
-                     std::filesystem::path(arguments.output).filename().string());
-}
-
 /// Tables are written whatever they err by, but not in silence.
 void warn_of_errors(const Certificate& certificate) {
   constexpr double kLarge = 1e-3;
@@ -96,26 +89,16 @@ void warn_of_errors(const Certificate& certificate) {
   warn(certificate.conditional, "conditional", "slope");
 }
 
-/// What is written: the pair, or the tables baked from it.
-AnyTables tables_of(const BuildArguments& arguments, const DistributionSource& source,
-                    const Size& size, const precompute::BuiltTables& built) {
-  const std::string made = recipe(arguments, source.options, size);
+/// Returns what is written: the pair, or the tables baked from it.
+AnyTables tables_of(const BuildArguments& arguments, const Provenance& provenance,
+                    const distributions::SlopeDistribution& distribution,
+                    const precompute::BuiltTables& built) {
   if (!names_baked_tables(arguments.output))
-    return io::TableFile{built.tables,
-                         {.recipe = made,
-                          .program = kProgram,
-                          .input_checksum = source.input_checksum,
-                          .notes = source.notes},
-                         built.certificate};
+    return io::TableFile{built.tables, provenance, built.certificate};
   const support::Workers workers{arguments.threads};
-  return precompute::bake_certified(precompute::UnitSlopes(*source.distribution, workers),
-                                    *built.tables, options_of(arguments.baking),
-                                    {.distribution = built.tables->distribution,
-                                     .recipe = made,
-                                     .program = kProgram,
-                                     .input_checksum = source.input_checksum,
-                                     .notes = source.notes},
-                                    workers);
+  return precompute::bake_certified(precompute::UnitSlopes(distribution, workers), *built.tables,
+                                    options_of(arguments.baking),
+                                    {built.tables->distribution, provenance}, workers);
 }
 
 void save_as(const std::string& output, const io::TableFile& pair) {
@@ -131,19 +114,20 @@ Certificate certificate_of(const KernelTables& tables) {
   return tables.certificate();
 }
 
-void build(const BuildArguments& arguments) {
+void build(const BuildArguments& arguments, const std::string& command_line) {
   const auto start = std::chrono::steady_clock::now();
-  // What cannot be written is refused before any work.
+  // A file that cannot be written is refused before any work.
   if (!names_baked_tables(arguments.output)) io::format_for(arguments.output);
   require_baked_output(arguments.baking, arguments.output);
   require_output(arguments.output, {arguments.source.profile, arguments.source.map});
-  const auto source = make_distribution(arguments.source);
+  const auto source = source_of(arguments.source);
+  const auto distribution = distributions::make_distribution(source.specification);
   Size size{};
   parse_size(arguments.size, size);
   const auto built = precompute::build_tables(
-      *source.distribution, {.layout = {size.rows, size.columns, arguments.precision == "double"},
-                             .threads = arguments.threads,
-                             .progress = progress_bar(arguments)});
+      *distribution, {.layout = {size.rows, size.columns, arguments.precision == "double"},
+                      .threads = arguments.threads,
+                      .progress = progress_bar(arguments)});
   const auto finish = [&](const auto& tables) {
     if (!arguments.quiet) warn_of_errors(certificate_of(tables));
     save_as(arguments.output, tables);
@@ -161,12 +145,13 @@ void build(const BuildArguments& arguments) {
       std::cout << describe(tables) << written(arguments.output, bytes, seconds.count());
     }
   };
-  std::visit(finish, tables_of(arguments, source, size, built));
+  const Provenance provenance{source.specification, command_line, kProgram, source.notes};
+  std::visit(finish, tables_of(arguments, provenance, *distribution, built));
 }
 
 }  // namespace
 
-void add_build(CLI::App& app) {
+void add_build(CLI::App& app, const std::string& command_line) {
   auto* command = app.add_subcommand("build", "Build the tables of a slope distribution");
   const auto arguments = std::make_shared<BuildArguments>();
   add_source_options(*command, arguments->source);
@@ -185,13 +170,13 @@ void add_build(CLI::App& app) {
   command->add_flag("--quiet", arguments->quiet, "Print nothing, draw no progress bar")
       ->excludes(json);
   command->add_flag("--list", arguments->list, "List the named distributions and stop");
-  command->callback([arguments] {
+  command->callback([arguments, command_line] {
     if (arguments->list) {
       std::cout << list_of_families();
       return;
     }
     if (arguments->output.empty()) throw CLI::RequiredError("--output");
-    build(*arguments);
+    build(*arguments, command_line);
   });
 }
 

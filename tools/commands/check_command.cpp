@@ -9,9 +9,9 @@
 #include "commands/arguments.h"
 #include "commands/commands.h"
 #include "commands/output_file.h"
-#include "commands/verdicts.h"
+#include "commands/table_files.h"
 #include "report/verdict_text.h"
-#include "vndf/distributions/parse_distribution.h"
+#include "vndf/distributions/specification.h"
 #include "vndf/validate/records.h"
 #include "vndf/validate/sampler/sampler_under_test.h"
 #include "vndf/validate/validate_records.h"
@@ -45,8 +45,8 @@ RecordOptions options_of(const CheckArguments& a) {
 
 std::unique_ptr<ExactSlopes> against(const std::string& argument) {
   if (names_a_file(argument))
-    return std::make_unique<ExactSlopes>(distribution_of(load_tables(argument)));
-  return std::make_unique<ExactSlopes>(distributions::parse_distribution(argument));
+    return std::make_unique<ExactSlopes>(distribution_of(argument, load_tables(argument)));
+  return std::make_unique<ExactSlopes>(distributions::make_distribution({argument}));
 }
 
 /// Whether the records are accepted, or else the first failure with its place.
@@ -95,7 +95,8 @@ void add_check(CLI::App& app) {
       ->add_option("records", a->records,
                    "CSV file wx,wy,wz,ax,ay[,u1,u2],mx,my,mz[,pdf], one sample a line")
       ->required();
-  command->add_option("--against", a->against, "Named distribution or table file")->required();
+  command->add_option("--against", a->against, "Named distribution, specification or table file")
+      ->required();
   command->add_option("--normals", a->normals, "Which normals are claimed to be drawn")
       ->check(CLI::IsMember({"visible", "v-cavity", "all"}))
       ->capture_default_str();

@@ -1,16 +1,19 @@
-// The subcommands of the program. Each adds its options to `app` and what to do when it is chosen;
-// a failure is thrown as an exception whose message is one clear line.
+// The subcommands of the program. Each function adds a subcommand to `app`, with its options and
+// what to do when it is chosen. A failure is thrown as an exception whose message is one clear
+// line.
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <string>
 
 namespace vndf::tools {
 
 /// Name and version, as written into files.
 inline constexpr const char* kProgram = "vndf " VNDF_VERSION;
 
-void add_build(CLI::App& app);
-void add_bake(CLI::App& app);
+/// `command_line` is written into the files, for people.
+void add_build(CLI::App& app, const std::string& command_line);
+void add_bake(CLI::App& app, const std::string& command_line);
 void add_info(CLI::App& app);
 void add_sample(CLI::App& app);
 void add_convert(CLI::App& app);

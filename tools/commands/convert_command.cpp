@@ -21,9 +21,9 @@ void save_pair(const std::string& input, const io::TableFile& pair, const std::s
 
 void save_baked(const std::string& input, const KernelTables& tables, const std::string& output) {
   if (!names_baked_tables(output))
-    throw std::runtime_error(
-        input + ": baked tables do not hold the pair that they were baked from; give the pair" +
-        made_by(tables.text().recipe, output));
+    throw std::runtime_error(input +
+                             ": baked tables do not hold the pair that they were baked from; give "
+                             "the pair, a .h5 or .exr file");
   save(output, tables);
 }
 

@@ -1,81 +1,22 @@
-// The slope distribution that a command line asks for.
+// From the options of a command line to the specification of a distribution.
 #include "commands/distribution_source.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <map>
 
-#include "vndf/distributions/diagnose.h"
 #include "vndf/distributions/family_list.h"
 #include "vndf/distributions/formula_distribution.h"
-#include "vndf/distributions/parse_distribution.h"
 #include "vndf/distributions/profile_csv.h"
-#include "vndf/distributions/shape_invariance.h"
 #include "vndf/distributions/slope_map.h"
-#include "vndf/io/atomic_file.h"
-#include "vndf/io/crc64.h"
+#include "vndf/distributions/specification.h"
 #include "vndf/io/map_image.h"
 
 namespace vndf::tools {
 namespace {
-
-using distributions::SlopeDistribution;
-
-/// A distribution under the name that the user gives it.
-class Renamed final : public SlopeDistribution {
- public:
-  Renamed(std::string name, std::unique_ptr<SlopeDistribution> d)
-      : name_(std::move(name)), d_(std::move(d)) {}
-  std::string name() const override { return name_; }
-  double p22(double r) const override { return d_->p22(r); }
-  bool costly() const override { return d_->costly(); }
-  std::vector<double> breaks() const override { return d_->breaks(); }
-  double support() const override { return d_->support(); }
-  std::optional<distributions::Marginals> marginals(double x) const override {
-    return d_->marginals(x);
-  }
-
- private:
-  std::string name_;
-  std::unique_ptr<SlopeDistribution> d_;
-};
-
-/// Quoted for a shell, where it needs to be.
-std::string quoted(const std::string& text) {
-  constexpr std::string_view kPlain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+.,:=@/";
-  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return result + "'";
-}
-
-/// The words of a command line that quoted() wrote.
-std::vector<std::string> words_of(const std::string& line) {
-  std::vector<std::string> words(1);
-  bool inside = false;  // of quotes
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    if (line[i] == '\'')
-      inside = !inside;
-    else if (line[i] == '\\' && !inside && i + 1 < line.size())
-      words.back() += line[++i];
-    else if (line[i] == ' ' && !inside)
-      words.emplace_back();
-    else
-      words.back() += line[i];
-  }
-  return words;
-}
-
-std::string file_checksum(const std::string& path) {
-  io::Crc64 crc;
-  crc.add(io::read_file(path));
-  return io::hex_digits(crc.value());
-}
 
 std::map<std::string, double> parse_parameters(const std::vector<std::string>& list) {
   std::map<std::string, double> parameters;
@@ -94,52 +35,14 @@ std::map<std::string, double> parse_parameters(const std::vector<std::string>& l
   return parameters;
 }
 
-std::string parameter_options(const std::vector<std::string>& list) {
-  std::string text;
-  for (const std::string& p : list) text += " --param " + quoted(p);
-  return text;
-}
-
-std::string break_options(const std::vector<double>& breaks) {
-  std::string text;
-  for (const double r : breaks) text += fmt::format(" --break {}", r);
-  return text;
-}
-
-DistributionSource from_spec(const SourceArguments& a) {
-  DistributionSource source;
-  source.distribution = distributions::parse_distribution(a.spec);
-  source.options = quoted(source.distribution->name());
-  return source;
-}
-
-DistributionSource from_p22(const SourceArguments& a) {
-  DistributionSource source;
-  source.distribution = std::make_unique<distributions::FormulaDistribution>(
-      distributions::FormulaDistribution::from_p22({a.p22, parse_parameters(a.parameters)},
-                                                   a.breaks));
-  source.options =
-      "--p22 " + quoted(a.p22) + parameter_options(a.parameters) + break_options(a.breaks);
-  return source;
-}
-
 DistributionSource from_ndf(const SourceArguments& a) {
-  const distributions::NdfFormula ndf({a.ndf, parse_parameters(a.parameters)});
-  DistributionSource source;
-  source.options =
-      "--ndf " + quoted(a.ndf) + parameter_options(a.parameters) + break_options(a.breaks);
-  if (a.frozen_at && !ndf.uses_alpha())
-    throw CLI::ValidationError("--frozen-at", "the formula does not use alpha");
-  if (a.frozen_at) {
-    source.options += fmt::format(" --frozen-at {}", *a.frozen_at);
+  const distributions::Formula formula{a.ndf, parse_parameters(a.parameters)};
+  DistributionSource source{distributions::specify_ndf(formula, a.frozen_at, a.breaks, a.name)};
+  if (a.frozen_at)
     source.notes =
         fmt::format("the surface of alpha {}, stretched: not a family in alpha\n", *a.frozen_at);
-  } else if (ndf.uses_alpha()) {
-    distributions::require_shape_invariant(ndf, ndf.text());
+  else if (distributions::NdfFormula(formula).uses_alpha())
     source.notes = "shape-invariant: alpha only stretches it\n";
-  }
-  source.distribution = std::make_unique<distributions::FormulaDistribution>(
-      distributions::FormulaDistribution::from_ndf(ndf, a.frozen_at.value_or(1), a.breaks));
   return source;
 }
 
@@ -163,41 +66,30 @@ distributions::ProfileTail tail_kind(const std::string& name) {
   return name == "power" ? distributions::ProfileTail::power : distributions::ProfileTail::none;
 }
 
+/// The user's name or that of the file.
+std::string name_of(const SourceArguments& a, const std::string& path) {
+  return a.name.empty() ? std::filesystem::path(path).stem().string() : a.name;
+}
+
 DistributionSource from_profile(const SourceArguments& a) {
-  auto profile = std::make_unique<distributions::MeasuredProfile>(
-      std::filesystem::path(a.profile).stem().string(), distributions::read_profile_csv(a.profile),
-      tail_kind(a.tail));
-  DistributionSource source;
-  source.options = "--profile " + quoted(a.profile) + " --tail " + a.tail;
-  source.input_checksum = file_checksum(a.profile);
-  source.notes = describe(profile->tail());
-  source.distribution = std::move(profile);
-  return source;
+  const distributions::MeasuredProfile profile(
+      name_of(a, a.profile), distributions::read_profile_csv(a.profile), tail_kind(a.tail));
+  return {distributions::specify_profile(profile), describe(profile.tail())};
 }
 
 DistributionSource from_map(const SourceArguments& a) {
   const auto image = io::read_slope_map(a.map);
-  auto estimate = distributions::estimate_slope_map(
-      image.slopes, {.name = std::filesystem::path(a.map).stem().string(), .force = a.force});
+  const auto estimate = distributions::estimate_slope_map(
+      image.slopes, {.name = name_of(a, a.map), .force = a.force});
   const auto& s = estimate.statistics;
-  DistributionSource source;
-  source.options = "--normal-map " + quoted(a.map) + (a.force ? " --force" : "");
-  source.input_checksum = file_checksum(a.map);
-  source.notes =
+  return {
+      distributions::specify_profile(*estimate.distribution),
       fmt::format("map: mean slope ({:.6g}, {:.6g}), alpha {:.6g} x {:.6g}, correlation {:.4g}\n",
                   s.mean_x, s.mean_y, s.alpha_x, s.alpha_y, s.correlation) +
-      fmt::format("estimated from {} texels: u-error below {:.2e} (95 %), ", s.texels, s.u_error) +
-      fmt::format("asymmetry {:.3f} (bound {:.3f})\n", s.asymmetry, s.asymmetry_bound) +
-      describe(estimate.distribution->tail());
-  source.distribution = std::move(estimate.distribution);
-  return source;
-}
-
-DistributionSource undiagnosed(const SourceArguments& a) {
-  if (!a.spec.empty()) return from_spec(a);
-  if (!a.p22.empty()) return from_p22(a);
-  if (!a.ndf.empty()) return from_ndf(a);
-  return a.profile.empty() ? from_map(a) : from_profile(a);
+          fmt::format("estimated from {} texels: u-error below {:.2e} (95 %), ", s.texels,
+                      s.u_error) +
+          fmt::format("asymmetry {:.3f} (bound {:.3f})\n", s.asymmetry, s.asymmetry_bound) +
+          describe(estimate.distribution->tail())};
 }
 
 void require_one_source(const SourceArguments& a) {
@@ -244,32 +136,13 @@ void add_source_options(CLI::App& command, SourceArguments& a) {
   command.add_option("--name", a.name, "Name of the distribution")->group(group);
 }
 
-DistributionSource make_distribution(const SourceArguments& a) {
+DistributionSource source_of(const SourceArguments& a) {
   require_one_source(a);
-  DistributionSource source = undiagnosed(a);
-  if (!a.name.empty()) {
-    source.options += " --name " + quoted(a.name);
-    source.distribution = std::make_unique<Renamed>(a.name, std::move(source.distribution));
-  }
-  const bool singular = !a.spec.empty() && std::isinf(source.distribution->p22(0));
-  distributions::diagnose(*source.distribution, {.singularity_at_zero_allowed = singular});
-  return source;
-}
-
-DistributionSource distribution_of_recipe(const std::string& recipe) {
-  auto words = words_of(recipe);
-  if (words.size() < 3 || words[0] != "vndf" || words[1] != "build")
-    throw std::runtime_error("it is not a command line of vndf build");
-  words.erase(words.begin(), words.begin() + 2);
-  std::reverse(words.begin(), words.end());  // as CLI11 takes them
-  CLI::App app;
-  SourceArguments arguments;
-  add_source_options(app, arguments);
-  std::string ignored;  // what a recipe says of the tables
-  for (const char* option : {"--size", "--precision", "--tolerance", "--max-bytes", "-o"})
-    app.add_option(option, ignored);
-  app.parse(words);
-  return make_distribution(arguments);
+  if (!a.spec.empty()) return {distributions::specify_family(a.spec, a.name)};
+  if (!a.p22.empty())
+    return {distributions::specify_p22({a.p22, parse_parameters(a.parameters)}, a.breaks, a.name)};
+  if (!a.ndf.empty()) return from_ndf(a);
+  return a.profile.empty() ? from_map(a) : from_profile(a);
 }
 
 std::string list_of_families() {

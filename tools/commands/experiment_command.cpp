@@ -12,7 +12,7 @@
 #include "commands/arguments.h"
 #include "commands/commands.h"
 #include "commands/table_files.h"
-#include "vndf/distributions/parse_distribution.h"
+#include "vndf/distributions/specification.h"
 #include "vndf/precompute/build_tables.h"
 #include "vndf/validate/experiment/named_estimators.h"
 
@@ -33,7 +33,7 @@ struct VarianceArguments {
 
 std::shared_ptr<const SlopeTables> tables_of(const VarianceArguments& a) {
   if (!a.tables.empty()) return load_pair(a.tables).tables;
-  const auto distribution = distributions::parse_distribution(a.distribution);
+  const auto distribution = distributions::make_distribution({a.distribution});
   return precompute::build_tables(*distribution, {.threads = a.threads}).tables;
 }
 

@@ -5,16 +5,19 @@
 #include <cctype>
 #include <filesystem>
 #include <stdexcept>
-#include <string_view>
+
+#include "vndf/distributions/specification.h"
 
 namespace vndf::tools {
 namespace {
 
-/// How recipes begin and end; what is baked comes before the name of the output.
-constexpr std::string_view kBuild = "vndf build ", kOutput = " -o ", kBaking = " --tolerance ";
-
 bool holds_baked_tables(const std::string& path) {
   return names_baked_tables(path) || is_kernel_file(path);
+}
+
+Specification specification_of(const AnyTables& tables) {
+  if (const auto* pair = std::get_if<io::TableFile>(&tables)) return pair->provenance.specification;
+  return std::get<KernelTables>(tables).text().provenance.specification;
 }
 
 }  // namespace
@@ -26,6 +29,12 @@ bool names_baked_tables(const std::string& path) {
   return extension == ".vndf";
 }
 
+bool names_a_file(const std::string& argument) {
+  const auto extension = std::filesystem::path(argument).extension();
+  return extension == ".h5" || extension == ".hdf5" || extension == ".exr" ||
+         names_baked_tables(argument) || std::filesystem::is_regular_file(argument);
+}
+
 AnyTables load_tables(const std::string& path) {
   if (holds_baked_tables(path)) return load(path);
   return io::load(path);
@@ -33,24 +42,18 @@ AnyTables load_tables(const std::string& path) {
 
 io::TableFile load_pair(const std::string& path) {
   if (!holds_baked_tables(path)) return io::load(path);
-  const std::string recipe = load(path).text().recipe;
   throw std::runtime_error(path +
                            ": it holds baked tables and not the pair that they are baked from; "
-                           "give the pair, a .h5 or .exr file" +
-                           made_by(recipe, "pair.h5"));
+                           "give the pair, a .h5 or .exr file");
 }
 
-std::optional<std::string> build_recipe(const std::string& recipe, const std::string& output,
-                                        const std::string& bake_options) {
-  if (!recipe.starts_with(kBuild)) return {};
-  const auto end = std::min(recipe.rfind(kOutput), recipe.rfind(kBaking));
-  return recipe.substr(0, end) + bake_options + std::string(kOutput) +
-         std::filesystem::path(output).filename().string();
-}
-
-std::string made_by(const std::string& recipe, const std::string& output) {
-  const auto build = build_recipe(recipe, output);
-  return build ? ", made by '" + *build + "'" : "";
+std::unique_ptr<distributions::SlopeDistribution> distribution_of(const std::string& path,
+                                                                  const AnyTables& tables) {
+  try {
+    return distributions::make_distribution(specification_of(tables));
+  } catch (const std::exception& e) {
+    throw std::runtime_error(path + ": its distribution cannot be made again: " + e.what());
+  }
 }
 
 }  // namespace vndf::tools

@@ -5,13 +5,14 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <random>
 #include <string>
 #include <vector>
 
 #include "commands/arguments.h"
 #include "commands/commands.h"
 #include "commands/output_file.h"
-#include "commands/verdicts.h"
+#include "commands/table_files.h"
 #include "report/validation_report.h"
 #include "report/verdict_text.h"
 #include "vndf/validate/sampler/named_samplers.h"
@@ -47,7 +48,7 @@ class SharedSlopes {
 SamplerUnderTest sampler_of(const std::string& argument, SharedSlopes& shared) {
   if (names_a_file(argument)) {
     const AnyTables tables = load_tables(argument);
-    const auto exact = std::make_shared<ExactSlopes>(distribution_of(tables));
+    const auto exact = std::make_shared<ExactSlopes>(distribution_of(argument, tables));
     if (const auto* pair = std::get_if<io::TableFile>(&tables))
       return validate::tables_under_test(argument, exact, pair->tables, pair->certificate);
     return validate::baked_tables_under_test(argument, exact, std::get<KernelTables>(tables));
@@ -66,6 +67,11 @@ std::unique_ptr<ValidationReport> report_of(const ValidateArguments& a, std::uin
   if (a.report.empty()) return nullptr;
   const char* effort = a.quick ? " --quick" : a.thorough ? " --thorough" : "";
   return std::make_unique<ValidationReport>(a.report, ReportedRun{kProgram, effort, seed});
+}
+
+std::uint64_t fresh_seed() {
+  std::random_device random;
+  return (std::uint64_t{random()} << 32) | random();
 }
 
 /// Validates all samplers; true if all pass.

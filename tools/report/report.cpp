@@ -32,17 +32,33 @@ void describe(std::string& text, const TableErrors& e, std::string_view name,
   line(text, "tail mass ratio, high", ratios(e.upper) + "   at 1e-4, 1e-5, 1e-6");
 }
 
+/// Adds a line for each line of `value`.
+void lines(std::string& text, std::string_view what, const std::string& value) {
+  std::istringstream stream(value);
+  for (std::string part; std::getline(stream, part); what = "") line(text, what, part);
+}
+
+std::string text_of(const Specification& s) {
+  return s.r.empty() ? s.text : fmt::format("{}, {} samples", s.text, s.r.size());
+}
+
 /// The slopes and where they come from.
-template <class Origin>
-std::string heading(const std::string& distribution, const Origin& origin) {
+std::string heading(const std::string& distribution, const Provenance& origin) {
   std::string text = fmt::format("{} slopes\n", distribution);
-  line(text, "made by", origin.recipe);
+  line(text, "specification", text_of(origin.specification));
+  lines(text, "made by", origin.command);
   line(text, "with", origin.program);
-  if (!origin.input_checksum.empty())
-    line(text, "from a file of", "CRC-64 " + origin.input_checksum);
-  std::istringstream notes(origin.notes);
-  for (std::string note; std::getline(notes, note);) line(text, "", note);
+  lines(text, "notes", origin.notes);
   return text;
+}
+
+nlohmann::ordered_json to_json(const std::string& distribution, const Provenance& origin) {
+  return {{"distribution", distribution},
+          {"specification", origin.specification.text},
+          {"samples", origin.specification.r.size()},
+          {"command", origin.command},
+          {"program", origin.program},
+          {"notes", origin.notes}};
 }
 
 void describe(std::string& text, const Certificate& c) {
@@ -92,7 +108,7 @@ std::string describe(const io::TableFile& file) {
 std::string describe(const KernelTables& tables) {
   const KernelHeader& h = tables.header();
   const KernelText origin = tables.text();
-  std::string text = heading(origin.distribution, origin);
+  std::string text = heading(origin.distribution, origin.provenance);
   line(text, "baked within", fmt::format("{:g} of the pair, in u", h.tolerance));
   line(text, "differs from it by",
        fmt::format("{:.2e} in slope x, {:.2e} in slope y", h.difference_x, h.difference_y));
@@ -110,36 +126,30 @@ std::string describe(const KernelTables& tables) {
 
 nlohmann::ordered_json to_json(const io::TableFile& file) {
   const SlopeTables& t = *file.tables;
-  return {{"distribution", t.distribution},
-          {"recipe", file.provenance.recipe},
-          {"program", file.provenance.program},
-          {"input_checksum", file.provenance.input_checksum},
-          {"notes", file.provenance.notes},
-          {"mean_slope", t.mean_slope},
-          {"marginal_size", {t.marginal.rows(), t.marginal.columns()}},
-          {"conditional_size", {t.conditional.rows(), t.conditional.columns()}},
-          {"sampling_bytes", sampling_bytes(t)},
-          {"certificate", to_json(file.certificate)}};
+  auto json = to_json(t.distribution, file.provenance);
+  json["mean_slope"] = t.mean_slope;
+  json["marginal_size"] = {t.marginal.rows(), t.marginal.columns()};
+  json["conditional_size"] = {t.conditional.rows(), t.conditional.columns()};
+  json["sampling_bytes"] = sampling_bytes(t);
+  json["certificate"] = to_json(file.certificate);
+  return json;
 }
 
 nlohmann::ordered_json to_json(const KernelTables& tables) {
   const KernelHeader& h = tables.header();
   const KernelText text = tables.text();
-  return {{"distribution", text.distribution},
-          {"recipe", text.recipe},
-          {"program", text.program},
-          {"input_checksum", text.input_checksum},
-          {"notes", text.notes},
-          {"tolerance", h.tolerance},
-          {"difference_x", h.difference_x},
-          {"difference_y", h.difference_y},
-          {"columns", h.column_roots != 0 ? "roots" : "probabilities"},
-          {"separable", h.separable != 0},
-          {"unit", h.unit},
-          {"sampling_bytes", tables.sampling_bytes()},
-          {"bytes", tables.bytes().size()},
-          {"certified", h.certified != 0},
-          {"certificate", to_json(tables.certificate())}};
+  auto json = to_json(text.distribution, text.provenance);
+  json["tolerance"] = h.tolerance;
+  json["difference_x"] = h.difference_x;
+  json["difference_y"] = h.difference_y;
+  json["columns"] = h.column_roots != 0 ? "roots" : "probabilities";
+  json["separable"] = h.separable != 0;
+  json["unit"] = h.unit;
+  json["sampling_bytes"] = tables.sampling_bytes();
+  json["bytes"] = tables.bytes().size();
+  json["certified"] = h.certified != 0;
+  json["certificate"] = to_json(tables.certificate());
+  return json;
 }
 
 std::string written(const std::string& path, std::uintmax_t bytes, double seconds) {

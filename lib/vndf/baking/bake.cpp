@@ -176,7 +176,7 @@ KernelTables tables_of(const Plan& plan, const SlopeTables& pair, double toleran
   h.ndf = put_curve(block, spans_of(pair.log_ndf, plan.unit, ndf), ndf, tolerance);
   h.backfacing =
       put_curve(block, spans_of(pair.log_backfacing, plan.unit, backfacing), backfacing, tolerance);
-  h.bytes = h.text = block.at();
+  h.bytes = h.samples = h.text = block.at();
   std::memcpy(block.bytes().data(), &h, sizeof h);
   h.checksum = kernel_checksum(block.bytes());
   std::memcpy(block.bytes().data(), &h, sizeof h);

@@ -97,7 +97,7 @@ class ScratchFile {
     if (mkdtemp(folder.data()) == nullptr)
       throw std::runtime_error(folder + ": cannot make a folder for table files; set TMPDIR");
     folder_ = folder;
-    io::save(path(), {built.tables, {"vndf bench", "vndf bench"}, built.certificate});
+    io::save(path(), {built.tables, Provenance(), built.certificate});
   }
   ~ScratchFile() {
     std::error_code ignored;

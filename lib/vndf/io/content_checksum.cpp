@@ -1,5 +1,5 @@
-// The canonical byte sequence of slope tables, fed to the check piece by piece. Numbers are
-// little-endian: 64-bit counts, float64, and the values of tables as they are stored.
+// Feeds the checksum piece by piece with a canonical byte sequence. Numbers are little-endian:
+// 64-bit counts, float64, and the values of tables as they are stored.
 #include "vndf/io/content_checksum.h"
 
 #include <algorithm>
@@ -68,9 +68,18 @@ void add_curve(Crc64& crc, const LogCurve<double>& curve) {
   }
 }
 
+void add_specification(Crc64& crc, const Specification& specification) {
+  add_text(crc, specification.text);
+  add_count(crc, specification.r.size());
+  for (std::size_t i = 0; i < specification.r.size(); ++i) {
+    add_number(crc, specification.r[i]);
+    add_number(crc, specification.p22[i]);
+  }
+}
+
 }  // namespace
 
-std::uint64_t content_checksum(const SlopeTables& tables) {
+std::uint64_t content_checksum(const SlopeTables& tables, const Specification& specification) {
   Crc64 crc;
   add_text(crc, kCoordinates);
   for (const double number : {tables.mean_slope, tables.support, tables.conditional_constant,
@@ -83,6 +92,7 @@ std::uint64_t content_checksum(const SlopeTables& tables) {
   add_map(crc, tables.marginal_map);
   add_curve(crc, tables.log_ndf);
   add_curve(crc, tables.log_backfacing);
+  add_specification(crc, specification);
   return crc.value();
 }
 

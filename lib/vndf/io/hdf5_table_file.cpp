@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "vndf/io/hdf5_handle.h"
-#include "vndf/io/table_format.h"
+#include "vndf/provenance.h"
 
 namespace vndf::io {
 namespace {

@@ -18,6 +18,7 @@ namespace {
 using Shape = std::vector<std::size_t>;
 
 constexpr std::size_t kSegmentColumns = 4;
+constexpr char kSamples[] = "profile_samples";
 constexpr char kRemake[] = "build the table again";
 
 std::string certificate_name(const std::string& figure) {
@@ -75,6 +76,13 @@ Array stored(const std::vector<CubicNode<double>>& nodes) {
   return {{nodes.size(), 2}, std::move(values)};
 }
 
+Array stored(const Specification& specification) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < specification.r.size(); ++i)
+    values.insert(values.end(), {specification.r[i], specification.p22[i]});
+  return {{specification.r.size(), 2}, std::move(values)};
+}
+
 std::size_t node_count(const LogCurve<double>& curve) {
   std::size_t count = 0;
   for (const auto& segment : curve.segments()) count += segment.nodes.size();
@@ -113,17 +121,10 @@ void check_size(const char* name, const LogCurve<double>& curve) {
                       "make a shorter one");
 }
 
-void check_size(const char* name, const std::string& text) {
-  if (text.size() > kMaxTextBytes || text.find('\0') != std::string::npos)
-    throw FormatError(std::string("the text ") + name + " is longer than " +
-                          std::to_string(kMaxTextBytes) + " bytes or has a zero byte in it",
-                      "shorten it");
-}
-
 void check_can_be_stored(const TableFile& file) {
   if (!file.tables) throw FormatError("there are no tables to write", "set TableFile::tables");
-  if (const auto broken = check(*file.tables))
-    throw FormatError("the tables to write break a rule: " + *broken, "make them again");
+  if (const auto rule = check(*file.tables))
+    throw FormatError("the tables to write break a rule: " + *rule, "make them again");
   check_size("marginal", file.tables->marginal);
   check_size("conditional", file.tables->conditional);
   check_size("log_ndf", file.tables->log_ndf);
@@ -132,11 +133,9 @@ void check_can_be_stored(const TableFile& file) {
     throw FormatError("the map of the marginal table is longer than the format allows (" +
                           std::to_string(kMaxCurveNodes) + " nodes)",
                       "make a shorter one");
-  check_size("distribution", file.tables->distribution);
-  check_size("recipe", file.provenance.recipe);
-  check_size("program", file.provenance.program);
-  check_size("input_checksum", file.provenance.input_checksum);
-  check_size("notes", file.provenance.notes);
+  auto broken = check_text("distribution", file.tables->distribution);
+  if (!broken) broken = check(file.provenance);
+  if (broken) throw FormatError(*broken, "shorten or correct it");
 }
 
 // From the file.
@@ -289,9 +288,30 @@ SlopeTables tables_of(const StoredTables& stored) {
           .log_backfacing = curve_of(stored, "log_backfacing", open)};
 }
 
-void check_content(const StoredTables& stored, const SlopeTables& tables) {
-  if (attribute<std::string>(stored, "content_checksum") != hex_digits(content_checksum(tables)))
-    throw FormatError("it is damaged: its tables do not match its attribute 'content_checksum'",
+/// Only a profile has samples, and a file has no empty arrays.
+Specification specification_of(const StoredTables& stored) {
+  Specification specification{attribute<std::string>(stored, "specification")};
+  if (!stored.arrays.contains(kSamples)) return specification;
+  const Rows rows = rows_of(stored, kSamples, 2, 1);
+  for (std::size_t i = 0; i < rows.count; ++i) {
+    specification.r.push_back(rows.values[2 * i]);
+    specification.p22.push_back(rows.values[2 * i + 1]);
+  }
+  return specification;
+}
+
+Provenance provenance_of(const StoredTables& stored) {
+  return {.specification = specification_of(stored),
+          .command = attribute<std::string>(stored, "command"),
+          .program = attribute<std::string>(stored, "program"),
+          .notes = attribute<std::string>(stored, "notes")};
+}
+
+void check_content(const StoredTables& stored, const SlopeTables& tables,
+                   const Specification& specification) {
+  if (attribute<std::string>(stored, "content_checksum") !=
+      hex_digits(content_checksum(tables, specification)))
+    throw FormatError("it is damaged: its content does not match its attribute 'content_checksum'",
                       "copy it again, or build it again");
 }
 
@@ -325,20 +345,21 @@ StoredTables to_stored(const TableFile& file) {
   check_can_be_stored(file);
   const SlopeTables& tables = *file.tables;
   StoredTables result;
-  result.attributes = {{"file_type", kFileType},
-                       {"format_major", kFormatMajor},
-                       {"format_minor", kFormatMinor},
-                       {"program", file.provenance.program},
-                       {"recipe", file.provenance.recipe},
-                       {"input_checksum", file.provenance.input_checksum},
-                       {"notes", file.provenance.notes},
-                       {"distribution", tables.distribution},
-                       {"coordinates", kCoordinates},
-                       {"mean_slope", tables.mean_slope},
-                       {"support", tables.support},
-                       {"conditional_constant", tables.conditional_constant},
-                       {"conditional_quadratic", tables.conditional_quadratic},
-                       {"content_checksum", hex_digits(content_checksum(tables))}};
+  result.attributes = {
+      {"file_type", kFileType},
+      {"format_major", kFormatMajor},
+      {"format_minor", kFormatMinor},
+      {"program", file.provenance.program},
+      {"command", file.provenance.command},
+      {"specification", file.provenance.specification.text},
+      {"notes", file.provenance.notes},
+      {"distribution", tables.distribution},
+      {"coordinates", kCoordinates},
+      {"mean_slope", tables.mean_slope},
+      {"support", tables.support},
+      {"conditional_constant", tables.conditional_constant},
+      {"conditional_quadratic", tables.conditional_quadratic},
+      {"content_checksum", hex_digits(content_checksum(tables, file.provenance.specification))}};
   for_each_figure(file.certificate, [&](const std::string& name, double value) {
     result.attributes[certificate_name(name)] = value;
   });
@@ -351,18 +372,19 @@ StoredTables to_stored(const TableFile& file) {
                    {"log_ndf_segments", stored_segments(tables.log_ndf)},
                    {"log_backfacing", stored_nodes(tables.log_backfacing)},
                    {"log_backfacing_segments", stored_segments(tables.log_backfacing)}};
+  if (!file.provenance.specification.r.empty())
+    result.arrays[kSamples] = stored(file.provenance.specification);
   return result;
 }
 
 TableFile from_stored(const StoredTables& stored) {
   check_identity(stored);
   SlopeTables tables = tables_of(stored);
-  check_content(stored, tables);
+  Provenance provenance = provenance_of(stored);
+  check_content(stored, tables, provenance.specification);
+  if (const auto broken = check(provenance)) throw FormatError(*broken, kRemake);
   return {.tables = checked(std::move(tables)),
-          .provenance = {.recipe = attribute<std::string>(stored, "recipe"),
-                         .program = attribute<std::string>(stored, "program"),
-                         .input_checksum = attribute<std::string>(stored, "input_checksum"),
-                         .notes = attribute<std::string>(stored, "notes")},
+          .provenance = std::move(provenance),
           .certificate = certificate_of(stored)};
 }
 

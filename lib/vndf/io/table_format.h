@@ -9,7 +9,7 @@ namespace vndf::io {
 
 /// A reader refuses any other major version. A newer minor version adds attributes and arrays,
 /// which an older reader ignores, or a name of coordinates, which it refuses.
-inline constexpr int kFormatMajor = 2, kFormatMinor = 0;
+inline constexpr int kFormatMajor = 3, kFormatMinor = 0;
 
 /// Value of the attribute `file_type`.
 inline constexpr char kFileType[] = "vndf slope tables";
@@ -20,6 +20,5 @@ inline constexpr char kCoordinates[] = "bounded-slope-2";
 inline constexpr std::size_t kMaxTableSide = 8192;         ///< rows or columns of a table
 inline constexpr std::size_t kMaxCurveNodes = 1u << 20;    ///< nodes of a curve or knots of an axis
 inline constexpr std::uintmax_t kMaxFileBytes = 1u << 30;  ///< whole file
-inline constexpr std::size_t kMaxTextBytes = 60000;  ///< one text; HDF5 holds just under 64 KiB
 
 }  // namespace vndf::io

@@ -1,0 +1,44 @@
+// The rules that both formats of files share. Whoever writes a file obeys them, so that every file
+// can be read.
+#include "vndf/provenance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace vndf {
+namespace {
+
+std::optional<std::string> check_samples(const Specification& s) {
+  if (s.r.size() != s.p22.size())
+    return "the specification has " + std::to_string(s.r.size()) + " radii and " +
+           std::to_string(s.p22.size()) + " densities, not as many of both";
+  if (s.r.size() > kMaxSamples)
+    return "the specification has more than " + std::to_string(kMaxSamples) + " samples";
+  for (const auto* values : {&s.r, &s.p22})
+    if (!std::ranges::all_of(*values, [](double v) { return std::isfinite(v); }))
+      return "a sample of the specification is not a finite number";
+  return {};
+}
+
+}  // namespace
+
+std::optional<std::string> check_text(const std::string& name, const std::string& text) {
+  if (text.size() > kMaxTextBytes)
+    return "the text '" + name + "' is longer than " + std::to_string(kMaxTextBytes) + " bytes";
+  if (text.find('\0') != std::string::npos) return "the text '" + name + "' has a zero byte";
+  return {};
+}
+
+std::optional<std::string> check(const Provenance& p) {
+  const std::pair<const char*, const std::string*> texts[] = {
+      {"specification", &p.specification.text},
+      {"command", &p.command},
+      {"program", &p.program},
+      {"notes", &p.notes}};
+  for (const auto& [name, text] : texts)
+    if (auto broken = check_text(name, *text)) return broken;
+  return check_samples(p.specification);
+}
+
+}  // namespace vndf

@@ -1,0 +1,32 @@
+// The command line as text.
+#include "commands/command_line.h"
+
+#include <string_view>
+
+namespace vndf::tools {
+namespace {
+
+std::string quoted(std::string_view text) {
+  constexpr std::string_view kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+.,:=@/";
+  if (!text.empty() && text.find_first_not_of(kPlain) == std::string_view::npos)
+    return std::string(text);
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return result + "'";
+}
+
+}  // namespace
+
+std::string command_line(int argc, const char* const* argv) {
+  std::string line = "vndf";
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    if (word == "--threads") ++i;  // with its number
+    if (word == "--quiet" || word == "--json" || word.starts_with("--threads")) continue;
+    line.append(" ").append(quoted(word));
+  }
+  return line;
+}
+
+}  // namespace vndf::tools
