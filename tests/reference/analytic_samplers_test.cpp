@@ -1,5 +1,5 @@
-// The analytic methods of supplemental 1: their laws against the closed CDFs, and their defects,
-// which must stay what the docstrings say.
+// The analytic methods of supplemental 1: their distributions against the closed CDFs, and their
+// defects, which must stay what the docstrings say.
 #include <array>
 #include <utility>
 
@@ -31,36 +31,37 @@ constexpr double kConditionalError = 1e-15;
 // Kolmogorov distance of the 2^18 even pairs of an exact sampler, in x and in y.
 constexpr double kPairError = 2.5e-4;
 
-/// Kolmogorov distance of the law of slope_x under Algorithm 2 from the exact one. u2 swaps the
-/// sign of slope_x with a probability that is known, so that each u1 gives a weight to two slopes:
-/// far less noise than by pairs. `y` is the largest |CDF - rest of u2| of slope_y.
+/// Kolmogorov distance of the distribution of slope_x under Algorithm 2 from the exact one. u2
+/// swaps the sign of slope_x with a probability that is known, so that each u1 gives a weight to
+/// two slopes: far less noise than by pairs. `y` is the largest |CDF - rest of u2| of slope_y.
 template <class T>
-LawErrors swap_law_errors(double degrees) {
+DistributionErrors swap_distribution_errors(double degrees) {
   constexpr int kCount = 1 << 17;
   // Small enough to swap or not at any but extreme probabilities, and a slope_y that float holds.
   constexpr double kSmall = 1e-6;
   const BeckmannAnalytic<T> sampler;
   const auto wi = direction_at<T>(degrees);
   const Alpha<T> one{1, 1};
-  const VisibleLaw<BeckmannForms> law(wi, one);
+  const VisibleDistribution<BeckmannForms> distribution(wi, one);
   const double c = double{wi.z} / double{wi.x};
   std::vector<std::pair<double, double>> weighted;
-  LawErrors worst;
+  DistributionErrors worst;
   for (int k = 0; k < kCount; ++k) {
     const T u1 = static_cast<T>((k + 0.5) / kCount);
     const auto at = [&](double u2) { return sampler.sample(wi, one, u1, static_cast<T>(u2)); };
     const auto kept = at(kSmall), swapped = at(1 - kSmall);
-    const double x = law.slope(kept).x, other = law.slope(swapped).x;
+    const double x = distribution.slope(kept).x, other = distribution.slope(swapped).x;
     if (std::abs(x) < c && std::abs(x + other) < 1e-3 * std::abs(x)) {
       const double p = 0.5 - x / (2 * c);
-      weighted.push_back({law(kept).x, p});
-      weighted.push_back({law(swapped).x, 1 - p});
+      weighted.push_back({distribution(kept).x, p});
+      weighted.push_back({distribution(swapped).x, 1 - p});
     } else {
-      weighted.push_back({law(at(0.5)).x, 1});
+      weighted.push_back({distribution(at(0.5)).x, 1});
       // Where the interval below -cot(theta) was chosen, all of u2 is left for slope_y.
       if (std::abs(x) >= c)
         for (const double u2 : {0.01, 0.3, 0.5, 0.9})
-          worst.y = std::max(worst.y, std::abs(law(at(u2)).y - double{static_cast<T>(u2)}));
+          worst.y =
+              std::max(worst.y, std::abs(distribution(at(u2)).y - double{static_cast<T>(u2)}));
     }
   }
   std::sort(weighted.begin(), weighted.end());
@@ -77,23 +78,24 @@ LawErrors swap_law_errors(double degrees) {
 double rest_error(double degrees, double u1) {
   const BeckmannAnalytic<double> sampler;
   const auto wi = direction_at<double>(degrees);
-  const VisibleLaw<BeckmannForms> law(wi, Alpha<double>{1, 1});
-  const double x = law.slope(sampler.sample(wi, {1, 1}, u1, 1e-9)).x;
+  const VisibleDistribution<BeckmannForms> distribution(wi, Alpha<double>{1, 1});
+  const double x = distribution.slope(sampler.sample(wi, {1, 1}, u1, 1e-9)).x;
   const double p = 0.5 - x * wi.x / (2 * wi.z);
   double worst = 0;
   for (int k = 1; k < 500; ++k) {
     const double u2 = k / 500.0, rest = u2 <= p ? u2 / p : (u2 - p) / (1 - p);
-    worst = std::max(worst, std::abs(law(sampler.sample(wi, {1, 1}, u1, u2)).y - rest));
+    worst = std::max(worst, std::abs(distribution(sampler.sample(wi, {1, 1}, u1, u2)).y - rest));
   }
   return worst;
 }
 
 }  // namespace
 
-TEST_CASE("analytic Beckmann: the law of slope_x is exact to rounding outside the cone") {
-  LawErrors in_double, in_float;
+TEST_CASE("analytic Beckmann: the distribution of slope_x is exact to rounding outside the cone") {
+  DistributionErrors in_double, in_float;
   for (const double degrees : kOutsideCone) {
-    const LawErrors d = swap_law_errors<double>(degrees), f = swap_law_errors<float>(degrees);
+    const DistributionErrors d = swap_distribution_errors<double>(degrees),
+                             f = swap_distribution_errors<float>(degrees);
     take_larger(in_double, d.x, d.y);
     take_larger(in_float, f.x, f.y);
   }
@@ -113,15 +115,15 @@ TEST_CASE("analytic Beckmann: what a swap leaves of u2 gives slope_y") {
 }
 
 TEST_CASE("analytic methods: the cone of normal incidence costs what the docstrings say") {
-  const auto beckmann = law_errors<BeckmannForms>(
+  const auto beckmann = distribution_errors<BeckmannForms>(
       BeckmannAnalytic<double>(), direction_at<double>(kInsideCone), Alpha<double>{1, 1});
-  const auto ggx = law_errors<GgxForms>(GgxAnalytic<double>(), direction_at<double>(kInsideCone),
-                                        Alpha<double>{1, 1});
+  const auto ggx = distribution_errors<GgxForms>(
+      GgxAnalytic<double>(), direction_at<double>(kInsideCone), Alpha<double>{1, 1});
   CHECK(beckmann.x == Approx(BeckmannAnalyticMethod::kConeError).margin(kPairError));
   CHECK(ggx.x == Approx(GgxAnalyticMethod::kConeError).margin(kPairError));
   // At the pole itself it costs nothing.
-  const auto pole =
-      law_errors<GgxForms>(GgxAnalytic<double>(), Vec3<double>{0, 0, 1}, Alpha<double>{1, 1});
+  const auto pole = distribution_errors<GgxForms>(GgxAnalytic<double>(), Vec3<double>{0, 0, 1},
+                                                  Alpha<double>{1, 1});
   CHECK(pole.x <= kPairError);
   CHECK(pole.y <= kPairError);
 }
@@ -152,12 +154,13 @@ TEST_CASE("analytic GGX: in float single u1 near G1 give slopes far off") {
   double worst = 0;
   for (double degrees = 0.26; degrees < 90; degrees += 0.37) {
     const auto wi = direction_at<float>(degrees);
-    const VisibleLaw<GgxForms> law(wi, Alpha<float>{1, 1});
+    const VisibleDistribution<GgxForms> distribution(wi, Alpha<float>{1, 1});
     const float g1 = sampler.g1(wi, {1, 1});
     for (int k = -1000; k <= 1000; ++k) {
       const float u1 = g1 * (1 + static_cast<float>(k) * 0x1p-24f);
       if (u1 < 1)
-        worst = std::max(worst, std::abs(law(sampler.sample(wi, {1, 1}, u1, 0.5f)).x - double{u1}));
+        worst = std::max(
+            worst, std::abs(distribution(sampler.sample(wi, {1, 1}, u1, 0.5f)).x - double{u1}));
     }
   }
   CHECK(worst <= GgxAnalyticMethod::kFloatMapError);

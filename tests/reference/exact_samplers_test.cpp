@@ -40,7 +40,7 @@ Incidence<T> incidence(double degrees) {
 
 template <class Forms, template <class> class Sampler>
 void check_maps() {
-  LawErrors in_double, in_float;
+  DistributionErrors in_double, in_float;
   for (const double degrees : kDegrees) {
     const auto d = map_errors<Forms, double>(Sampler<double>(), direction_at<double>(degrees),
                                              Alpha<double>{1, 1});

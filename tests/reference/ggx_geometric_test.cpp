@@ -1,5 +1,5 @@
-// The two geometric constructions of visible GGX normals: the density of their maps, their law by
-// chi-square, what float costs.
+// The two geometric constructions of visible GGX normals: the density of their maps, their
+// distribution by chi-square, what float costs.
 #include "support/catch.h"
 #include "support/pair_test.h"
 #include "support/tolerances.h"
@@ -42,7 +42,7 @@ void check_float(double bound) {
 }
 
 template <template <class> class Sampler>
-void check_law() {
+void check_distribution() {
   for (const double degrees : {0.0, 30.0, 75.0, 90.0})
     for (const Alpha<double>& alpha : kAlphas) {
       CAPTURE(degrees, alpha.x, alpha.y);
@@ -59,8 +59,8 @@ TEST_CASE("the density of the cap and hemisphere maps is the exact pdf") {
 }
 
 TEST_CASE("normals from caps and hemispheres pass a chi-square test of both slopes together") {
-  check_law<GgxCaps>();
-  check_law<GgxHemisphere>();
+  check_distribution<GgxCaps>();
+  check_distribution<GgxHemisphere>();
 }
 
 TEST_CASE("caps and hemispheres in float keep their stated errors") {

@@ -62,9 +62,9 @@ constexpr std::size_t kStride = 43;
 
 /// Largest |CDF - u|: x of the azimuth, y of the elevation.
 template <class T, class Sampler, class Part>
-LawErrors polar_errors(const Sampler& sampler, Part part, const Alpha<double>& alpha) {
+DistributionErrors polar_errors(const Sampler& sampler, Part part, const Alpha<double>& alpha) {
   const Alpha<T> a{static_cast<T>(alpha.x), static_cast<T>(alpha.y)};
-  LawErrors worst;
+  DistributionErrors worst;
   for_each_probe<T>(
       [&](T u1, T u2) {
         const Vec3<T> m = sampler.sample(Vec3<T>{0, 0, 1}, a, u1, u2);
@@ -83,7 +83,7 @@ LawErrors polar_errors(const Sampler& sampler, Part part, const Alpha<double>& a
 template <class T, class Sampler, class Part>
 void check_polar(const Sampler& sampler, Part part, double bound) {
   for (const Alpha<double>& alpha : kAlphas) {
-    const LawErrors errors = polar_errors<T>(sampler, part, alpha);
+    const DistributionErrors errors = polar_errors<T>(sampler, part, alpha);
     CAPTURE(alpha.x, alpha.y, errors.x, errors.y, bound);
     CHECK(errors.x <= bound);
     CHECK(errors.y <= bound);

@@ -22,7 +22,7 @@ template <class T>
 using GgxCavity = VCavity<GgxNdf<T>>;
 
 /// Normals to (turns of the stretched azimuth, 1 - 1 / (1 + r^2)): uniform for all GGX normals.
-struct PolarLaw {
+struct PolarDistribution {
   Alpha<double> alpha;
   template <class T>
   Vec2<double> operator()(const Vec3<T>& m) const {
@@ -109,14 +109,16 @@ TEST_CASE("V-cavity normals pass a chi-square test, with a third number and with
     CAPTURE(degrees);
     const auto wi = direction_at<double>(degrees, 35);
     const auto shares = visible_shares(wi, kAlpha);
-    const PolarLaw distribution{kAlpha};
-    CHECK(law_p_value(distribution, ThreeNumbers<double>(), wi, kAlpha, shares) > kSignificance);
-    CHECK(law_p_value(distribution, GgxCavity<double>(), wi, kAlpha, shares) > kSignificance);
+    const PolarDistribution distribution{kAlpha};
+    CHECK(distribution_p_value(distribution, ThreeNumbers<double>(), wi, kAlpha, shares) >
+          kSignificance);
+    CHECK(distribution_p_value(distribution, GgxCavity<double>(), wi, kAlpha, shares) >
+          kSignificance);
     // In float, whose u3 has 12 digits.
     const Vec3<float> w{static_cast<float>(wi.x), static_cast<float>(wi.y),
                         static_cast<float>(wi.z)};
-    CHECK(law_p_value(distribution, GgxCavity<float>(), w, Alpha<float>{0.3f, 0.9f}, shares) >
-          kSignificance);
+    CHECK(distribution_p_value(distribution, GgxCavity<float>(), w, Alpha<float>{0.3f, 0.9f},
+                               shares) > kSignificance);
   }
 }
 
@@ -130,8 +132,10 @@ TEST_CASE("the chi-square test rejects V-cavity normals of which none, or each, 
       return cavity.sample(w, a, u1, u2, u3);
     }
   };
-  CHECK(law_p_value(PolarLaw{kAlpha}, GgxNdf<double>(), wi, kAlpha, shares) < kSignificance);
-  CHECK(law_p_value(PolarLaw{kAlpha}, Fixed{0.3}, wi, kAlpha, shares) < kSignificance);
+  CHECK(distribution_p_value(PolarDistribution{kAlpha}, GgxNdf<double>(), wi, kAlpha, shares) <
+        kSignificance);
+  CHECK(distribution_p_value(PolarDistribution{kAlpha}, Fixed{0.3}, wi, kAlpha, shares) <
+        kSignificance);
 }
 
 TEST_CASE("stratified numbers choose sides evenly: each of 4096 strata of u1, in float") {

@@ -1,4 +1,4 @@
-// Tests of the judges of the reference samplers: each must reject samplers that are known to be
+// Tests of the tests of the reference samplers: each must reject samplers that are known to be
 // wrong and accept the exact ones.
 #include "support/visible_normals.h"
 
@@ -45,7 +45,9 @@ TEST_CASE("the exact samplers pass the pair test") {
   CHECK(visible_p_value<BeckmannForms>(BeckmannExact<double>(), kWi, kAlpha) > kSignificance);
 }
 
-TEST_CASE("the pair test rejects swapped alphas, normals not weighted by visibility, another law") {
+TEST_CASE(
+    "the pair test rejects swapped alphas, normals not weighted by visibility, another "
+    "distribution") {
   CHECK(visible_p_value<GgxForms>(Mistaken{swap_alphas}, kWi, kAlpha) < kSignificance);
   CHECK(visible_p_value<GgxForms>(GgxNdf<double>(), kWi, kAlpha) < kSignificance);
   CHECK(visible_p_value<BeckmannForms>(GgxExact<double>(), kWi, kAlpha) < kSignificance);
@@ -72,11 +74,12 @@ TEST_CASE("the errors of a map are those that were put into it") {
   CHECK(map_errors<GgxForms>(Mistaken{no_number}, direction_at<double>(90), kAlpha).x > 0.5);
 }
 
-TEST_CASE("the Kolmogorov distance of a law is the one that was put into it") {
+TEST_CASE("the Kolmogorov distance of a distribution is the one that was put into it") {
   const auto bent = [](Vec3<double>&, Alpha<double>&, double& u1, double&) {
     u1 = u1 + 0.01 * u1 * (1 - u1);
   };
-  CHECK(law_errors<GgxForms>(Mistaken{bent}, kWi, kAlpha).x == Approx(0.0025).margin(5e-5));
+  CHECK(distribution_errors<GgxForms>(Mistaken{bent}, kWi, kAlpha).x ==
+        Approx(0.0025).margin(5e-5));
   CHECK(distance_from_uniform({0.25, 0.75}) == 0.25);
   CHECK(distance_from_uniform({0.9, 0.9}) == 0.9);
 }

@@ -34,7 +34,8 @@ class PairCounts {
           probabilities.empty() ? 1.0 / static_cast<double>(counts_.size()) : probabilities[k];
       const double expected = share * total_, excess = counts_[k] - expected;
       if (expected < kFewest) {
-        // A bin in which next to nothing falls has no chi-square law, but must stay as empty.
+        // A bin in which next to nothing falls has no chi-square distribution, but must stay as
+        // empty.
         if (counts_[k] > kFewest * 10) return 0;
         continue;
       }
@@ -51,11 +52,12 @@ class PairCounts {
   double total_ = 0;
 };
 
-/// p-value of `count` normals of `sampler`, transformed by `law` to pairs.
-template <class Law, class T, class Sampler>
-double law_p_value(const Law& law, const Sampler& sampler, const Vec3<T>& wi, const Alpha<T>& alpha,
-                   const std::vector<double>& probabilities = {}, int count = 200000,
-                   std::uint64_t seed = 1) {
+/// p-value of `count` normals of `sampler`, transformed by `distribution` to pairs.
+template <class Distribution, class T, class Sampler>
+double distribution_p_value(const Distribution& distribution, const Sampler& sampler,
+                            const Vec3<T>& wi, const Alpha<T>& alpha,
+                            const std::vector<double>& probabilities = {}, int count = 200000,
+                            std::uint64_t seed = 1) {
   std::mt19937_64 random(seed);
   const auto uniform = [&] {
     return static_cast<T>(std::ldexp(static_cast<double>(random() >> 40) + 0.5, -24));
@@ -63,15 +65,15 @@ double law_p_value(const Law& law, const Sampler& sampler, const Vec3<T>& wi, co
   PairCounts counts;
   for (int k = 0; k < count; ++k) {
     const T u1 = uniform(), u2 = uniform();
-    counts.add(law(sampler.sample(wi, alpha, u1, u2)));
+    counts.add(distribution(sampler.sample(wi, alpha, u1, u2)));
   }
   return counts.p_value(probabilities);
 }
 
-/// The same against the exact law of visible slopes.
+/// The same against the exact distribution of visible slopes.
 template <class Forms, class T, class Sampler>
 double visible_p_value(const Sampler& sampler, const Vec3<T>& wi, const Alpha<T>& alpha) {
-  return law_p_value(VisibleLaw<Forms>(wi, alpha), sampler, wi, alpha);
+  return distribution_p_value(VisibleDistribution<Forms>(wi, alpha), sampler, wi, alpha);
 }
 
 }  // namespace vndf::test

@@ -1,5 +1,6 @@
-// The law of sampled normals: each is transformed to the two numbers, uniform if the sampler is
-// right, that the exact CDFs of its stretched slopes give (the probability integral transform).
+// The distribution of sampled normals: each is transformed to the two numbers, uniform if the
+// sampler is right, that the exact CDFs of its stretched slopes give (the probability integral
+// transform).
 #pragma once
 
 #include <algorithm>
@@ -18,10 +19,10 @@ namespace vndf::test {
 
 /// Normals to uniform pairs (V(x), P(Y <= y | x)) by the closed forms of `Forms`.
 template <class Forms>
-class VisibleLaw {
+class VisibleDistribution {
  public:
   template <class T>
-  VisibleLaw(const Vec3<T>& wi, const Alpha<T>& alpha)
+  VisibleDistribution(const Vec3<T>& wi, const Alpha<T>& alpha)
       : alpha_{double{alpha.x}, double{alpha.y}}, z_(wi.z) {
     const double x = alpha_.x * double{wi.x}, y = alpha_.y * double{wi.y};
     s_ = std::hypot(x, y);
@@ -49,11 +50,11 @@ class VisibleLaw {
 };
 
 /// Largest |CDF - u| of both slopes.
-struct LawErrors {
+struct DistributionErrors {
   double x = 0, y = 0;
 };
 
-/// Kolmogorov distance of `numbers` from the uniform law.
+/// Kolmogorov distance of `numbers` from the uniform distribution.
 inline double distance_from_uniform(std::vector<double> numbers) {
   std::sort(numbers.begin(), numbers.end());
   const double n = static_cast<double>(numbers.size());
@@ -73,16 +74,17 @@ inline Vec2<double> even_pair(std::uint32_t k, int bits) {
   return {std::ldexp(k + 0.5, -bits), std::ldexp(reversed + 0.5, -bits)};
 }
 
-/// Kolmogorov distances of the law of `sampler` from the exact one, by 2^bits even pairs: for any
-/// map of (u1, u2), monotone or not.
+/// Kolmogorov distances of the distribution of `sampler` from the exact one, by 2^bits even pairs:
+/// for any map of (u1, u2), monotone or not.
 template <class Forms, class T, class Sampler>
-LawErrors law_errors(const Sampler& sampler, const Vec3<T>& wi, const Alpha<T>& alpha,
-                     int bits = 18) {
-  const VisibleLaw<Forms> law(wi, alpha);
+DistributionErrors distribution_errors(const Sampler& sampler, const Vec3<T>& wi,
+                                       const Alpha<T>& alpha, int bits = 18) {
+  const VisibleDistribution<Forms> distribution(wi, alpha);
   std::vector<double> first, second;
   for (std::uint32_t k = 0; k < 1u << bits; ++k) {
     const Vec2<double> u = even_pair(k, bits);
-    const auto v = law(sampler.sample(wi, alpha, static_cast<T>(u.x), static_cast<T>(u.y)));
+    const auto v =
+        distribution(sampler.sample(wi, alpha, static_cast<T>(u.x), static_cast<T>(u.y)));
     first.push_back(v.x);
     second.push_back(v.y);
   }
@@ -118,7 +120,7 @@ void for_each_probe(Visit visit, std::size_t stride = 5) {
     for (std::size_t j = i % stride; j < list.size(); j += stride) visit(list[i], list[j]);
 }
 
-inline void take_larger(LawErrors& worst, double x, double y) {
+inline void take_larger(DistributionErrors& worst, double x, double y) {
   // A number that is none counts as the worst of errors.
   worst.x = std::isnan(x) ? 1 : std::max(worst.x, x);
   worst.y = std::isnan(y) ? 1 : std::max(worst.y, y);
@@ -127,33 +129,33 @@ inline void take_larger(LawErrors& worst, double x, double y) {
 /// Largest |V(x) - u1| and |P(Y <= y | x) - u2| of a sampler whose slopes are the quantiles of u1
 /// and u2.
 template <class Forms, class T, class Sampler>
-LawErrors map_errors(const Sampler& sampler, const Vec3<T>& wi, const Alpha<T>& alpha) {
-  const VisibleLaw<Forms> law(wi, alpha);
-  LawErrors worst;
+DistributionErrors map_errors(const Sampler& sampler, const Vec3<T>& wi, const Alpha<T>& alpha) {
+  const VisibleDistribution<Forms> distribution(wi, alpha);
+  DistributionErrors worst;
   for_each_probe<T>([&](T u1, T u2) {
-    const auto v = law(sampler.sample(wi, alpha, u1, u2));
+    const auto v = distribution(sampler.sample(wi, alpha, u1, u2));
     take_larger(worst, std::abs(v.x - double{u1}), std::abs(v.y - double{u2}));
   });
   return worst;
 }
 
 /// The least e such that no more than a fraction e of even pairs (u1, u2) gives slopes whose CDFs
-/// differ from those of `exact` by more than e. The Kolmogorov distance of the two laws is at most
-/// 2 e. A maximum would be about single pairs: near the horizon a map is not continuous.
+/// differ from those of `exact` by more than e. The Kolmogorov distance of the two distributions is
+/// at most 2 e. A maximum would be about single pairs: near the horizon a map is not continuous.
 template <class Forms, class T, class Sampler, class Exact>
 double rounding_error(const Sampler& sampler, const Exact& exact, const Vec3<T>& wi,
                       const Alpha<T>& alpha) {
   constexpr int kBits = 16;
-  const VisibleLaw<Forms> law(wi, alpha);
+  const VisibleDistribution<Forms> distribution(wi, alpha);
   const Vec3<double> w{double{wi.x}, double{wi.y}, double{wi.z}};
   const Alpha<double> a{double{alpha.x}, double{alpha.y}};
   std::vector<double> off;
   for (std::uint32_t k = 0; k < 1u << kBits; ++k) {
     const Vec2<double> u = even_pair(k, kBits);
     const T u1 = static_cast<T>(u.x), u2 = static_cast<T>(u.y);
-    const auto v = law(sampler.sample(wi, alpha, u1, u2));
-    const auto e = law(exact.sample(w, a, double{u1}, double{u2}));
-    LawErrors here;
+    const auto v = distribution(sampler.sample(wi, alpha, u1, u2));
+    const auto e = distribution(exact.sample(w, a, double{u1}, double{u2}));
+    DistributionErrors here;
     take_larger(here, std::abs(v.x - e.x), std::abs(v.y - e.y));
     off.push_back(std::max(here.x, here.y));
   }

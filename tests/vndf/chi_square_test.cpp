@@ -1,8 +1,8 @@
-// The law of the sampled normals: each is transformed to two uniform numbers by the closed CDFs and
-// counted in 10007 bins (a prime, so that no bin is aligned with the cells of a table). The slow
-// test draws 1e8 normals in each of 12 cases: it sees relative errors of 2e-3 in a bin. There the
-// rounding of a single-precision normal, 1e-7 against bins of 1e-4, itself adds about 0.7 standard
-// deviations to the statistic.
+// The distribution of the sampled normals: each is transformed to two uniform numbers by the closed
+// CDFs and counted in 10007 bins (a prime, so that no bin is aligned with the cells of a table).
+// The slow test draws 1e8 normals in each of 12 cases: it sees relative errors of 2e-3 in a bin.
+// There the rounding of a single-precision normal, 1e-7 against bins of 1e-4, itself adds about 0.7
+// standard deviations to the statistic.
 #include <atomic>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
@@ -42,8 +42,8 @@ double p_value(const Counts& counts, double total) {
     const double excess = static_cast<double>(count) - expected;
     statistic += excess * excess / expected;
   }
-  const boost::math::chi_squared law(static_cast<double>(counts.size() - 1));
-  return cdf(complement(law, statistic));
+  const boost::math::chi_squared distribution(static_cast<double>(counts.size() - 1));
+  return cdf(complement(distribution, statistic));
 }
 
 std::size_t bin(double v) {
@@ -59,13 +59,13 @@ template <class Forms, class Sample>
 Verdict judge(const Case& c, std::uint64_t total, std::uint64_t seed, Sample sample) {
   const auto wi = direction_at<float>(c.degrees, c.azimuth);
   const Alpha<float> alpha{static_cast<float>(c.ax), static_cast<float>(c.ay)};
-  const VisibleLaw<Forms> law(wi, alpha);
+  const VisibleDistribution<Forms> distribution(wi, alpha);
   Counts first(kBins), second(kBins);
   std::mt19937_64 random(seed);
   const auto uniform = [&] { return std::ldexp(static_cast<float>(random() >> 40), -24); };
   for (std::uint64_t k = 0; k < total; ++k) {
     const float u1 = uniform();
-    const auto v = law(sample(wi, alpha, u1, uniform()));
+    const auto v = distribution(sample(wi, alpha, u1, uniform()));
     ++first[bin(v.x)];
     ++second[bin(v.y)];
   }
