@@ -42,8 +42,9 @@ std::string broken_rule(const Inputs& v) {
   if (std::abs(std::hypot(v[0], v[1], v[2]) - 1) > kUnitSlack) return "wi must have length 1";
   if (v[2] < 0) return "wi must not be below the horizon (z >= 0)";
   if (!(v[3] > 0 && v[4] > 0)) return "alpha must be > 0";
-  const auto held = [](double alpha) { return T(alpha) > 0 && std::isfinite(T(alpha)); };
-  if (!held(v[3]) || !held(v[4])) return "alpha is beyond single precision; give --double";
+  const auto is_in_range = [](double alpha) { return T(alpha) > 0 && std::isfinite(T(alpha)); };
+  if (!is_in_range(v[3]) || !is_in_range(v[4]))
+    return "alpha is beyond single precision; give --double";
   if (!(v[5] >= 0 && v[5] <= 1 && v[6] >= 0 && v[6] <= 1)) return "u1 and u2 must be in [0, 1]";
   return {};
 }

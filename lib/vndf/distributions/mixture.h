@@ -21,8 +21,8 @@ class Mixture final : public SlopeDistribution {
   };
 
   /// Throws std::invalid_argument for no components, no distribution, or a weight or roughness that
-  /// is not finite and > 0.
-  /// An empty `name` stands for "mixture:0.7*ggx+0.3*beckmann@0.2", with the weights as given.
+  /// is not finite and > 0. An empty `name` stands for "mixture:0.7*ggx+0.3*beckmann@0.2", with the
+  /// weights as given.
   explicit Mixture(std::vector<Component> components, const std::string& name = {});
 
   std::string name() const override { return name_; }

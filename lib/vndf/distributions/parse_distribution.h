@@ -1,4 +1,4 @@
-// Specifications of distributions as people type them:
+// Named families and mixtures as people type them:
 //
 //     ggx
 //     student-t:gamma=2.5
@@ -14,11 +14,11 @@
 
 namespace vndf::distributions {
 
-/// The distribution that `spec` describes; its name() is the same specification with every
-/// parameter written out, and parses to an equal distribution. Throws std::invalid_argument, one
-/// line with the column (from 1) of the error in `spec`, for an unknown family or parameter (naming
-/// the nearest known one), for text that is not a number, for an empty part and for a number out of
-/// its range.
+/// Returns the family or mixture that `spec` describes. Its name() is the same text with every
+/// parameter written out, and parses to an equal distribution; specification.h builds on that.
+/// Throws std::invalid_argument, one line with the column (from 1) of the error in `spec`, for an
+/// unknown family or parameter (naming the nearest known one), for text that is not a number, for
+/// an empty part and for a number out of its range.
 std::unique_ptr<SlopeDistribution> parse_distribution(const std::string& spec);
 
 }  // namespace vndf::distributions
