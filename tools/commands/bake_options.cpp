@@ -1,4 +1,4 @@
-// The options of baking.
+// The options of baking, which `build` and `bake` share.
 #include "commands/bake_options.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,5 @@
-// Files as single strings of bytes: read at once, replaced at once or not at all.
+// Files as strings of bytes. A file is read as a whole and replaced as a whole, so that an
+// interrupted write never leaves half a file under the name that a user gave.
 #pragma once
 
 #include <filesystem>
@@ -10,15 +11,17 @@ namespace vndf::io {
 /// Throws FormatError unless there is a regular file at `path`.
 void require_file(const std::filesystem::path& path);
 
-/// The bytes of a regular file. Throws FormatError if it is missing, empty, not a file, too large
-/// for a table file (kMaxFileBytes) or cannot be read.
+/// Returns the bytes of a regular file. Throws FormatError if it is missing, empty, not a file, too
+/// large for a table file (kMaxFileBytes) or cannot be read.
 std::string read_file(const std::filesystem::path& path);
 
-/// A path in the same folder, because a rename cannot leave a disk, that no other writer uses.
+/// Returns a path that no other writer uses. It lies in the same folder as `path`, because a rename
+/// cannot cross from one disk to another.
 std::filesystem::path temporary_name(const std::filesystem::path& path);
 
-/// Writes `bytes` under a temporary name in the same folder, then renames. Throws FormatError on
-/// any failure; then nothing is left behind and a file already at `path` is as it was.
+/// Writes `bytes` under a temporary name in the same folder and then renames the file. Throws
+/// FormatError on any failure. Then nothing is left behind, and a file that was at `path` before is
+/// unchanged.
 void replace_file(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace vndf::io

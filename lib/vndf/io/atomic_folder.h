@@ -1,4 +1,5 @@
-// Folders of files: written at once or not at all, replaced by the next of their kind.
+// Folders of files that belong together, such as a report page and its data. A folder appears as a
+// whole or not at all, and a later one of the same kind replaces it.
 #pragma once
 
 #include <filesystem>
@@ -8,28 +9,30 @@
 
 namespace vndf::io {
 
-/// A folder in the making. Files are written into one with a temporary name beside the target, and
-/// put_in_place() renames it. Without that call nothing is left behind.
+/// A folder that is being written. Its files go into a folder with a temporary name beside the
+/// target, which put_in_place() renames. Without that call nothing is left behind.
 class AtomicFolder {
  public:
-  /// In this file the names of all others are listed, by which the next folder knows what to
+  /// The file that lists the names of all others. By it the next folder knows which files it may
   /// replace.
   static constexpr const char* kList = "vndf-files.txt";
 
-  /// Parents of `target` are made. Throws FormatError, naming it, if it is there and is not a
-  /// folder that is empty or holds such files and nothing else, or if its parent cannot be written.
+  /// Makes the parents of `target`. Throws FormatError, which names the target, if it exists and is
+  /// anything but a folder that is empty or holds only files of its list, or if its parent cannot
+  /// be written.
   explicit AtomicFolder(const std::filesystem::path& target);
   ~AtomicFolder();
   AtomicFolder(const AtomicFolder&) = delete;
   AtomicFolder& operator=(const AtomicFolder&) = delete;
 
-  /// Where the files are until put_in_place(). What else is put there must be gone by then.
+  /// The folder in which the files are until put_in_place(). A caller that puts other files there
+  /// must remove them before.
   const std::filesystem::path& scratch() const { return scratch_; }
 
   void write(const std::string& name, std::string_view bytes);
 
-  /// Puts the folder in the place of an earlier one. A file that is on no list is never removed.
-  /// Throws as the constructor does; then the earlier one is as it was.
+  /// Replaces an earlier folder by this one. A file that is on no list is never removed. Throws as
+  /// the constructor does; then the earlier folder is unchanged.
   void put_in_place();
 
  private:

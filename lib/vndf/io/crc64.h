@@ -1,4 +1,5 @@
-// The 64-bit cyclic redundancy check of ECMA-182 in the variant of the XZ format ("CRC-64/XZ"):
+// The checksum of files and of their content. It finds accidents, not forgery. It is the 64-bit
+// cyclic redundancy check of ECMA-182 in the variant of the XZ format ("CRC-64/XZ"):
 // reflected polynomial C96C5795D7870F42, initial value and final inversion of all ones.
 #pragma once
 

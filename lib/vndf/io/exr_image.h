@@ -1,4 +1,5 @@
-// Images of named floating-point channels as EXR files, for data that a person will look at.
+// Images of named floating-point channels as EXR files. The pictures of a report are rounded to
+// colours; these files hold their data.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +17,9 @@ struct ExrImage {
   std::map<std::string, std::string> attributes = {};
 };
 
-/// The bytes of a scan line file of 32-bit floats; the same image gives the same bytes. Throws
-/// FormatError if a channel has not width * height values, there is none, or OpenEXR fails.
+/// Returns the bytes of a scan line file of 32-bit floats. The same image gives the same bytes.
+/// Throws FormatError if there is no channel, if one has not width * height values, or if OpenEXR
+/// fails.
 std::string write_exr_image(const ExrImage& image);
 
 }  // namespace vndf::io

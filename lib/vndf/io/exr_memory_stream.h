@@ -1,4 +1,5 @@
-// Streams of OpenEXR over bytes in memory.
+// Streams of OpenEXR over bytes in memory. Files are checked and replaced as whole strings of bytes
+// (atomic_file.h), so OpenEXR never opens a file itself.
 #pragma once
 
 #include <ImfIO.h>
@@ -13,7 +14,7 @@
 
 namespace vndf::io {
 
-/// Reads from bytes that outlive it.
+/// Reads from bytes, which must outlive the stream.
 class ExrMemoryInput : public Imf::IStream {
  public:
   explicit ExrMemoryInput(std::string_view bytes) : IStream("table file"), bytes_(bytes) {}
@@ -34,7 +35,7 @@ class ExrMemoryInput : public Imf::IStream {
   std::size_t position_ = 0;
 };
 
-/// Writes to a string of its own.
+/// Writes to a string that the stream owns.
 class ExrMemoryOutput : public Imf::OStream {
  public:
   ExrMemoryOutput() : OStream("table file") {}

@@ -13,7 +13,7 @@
 
 namespace vndf::io {
 
-/// Stands for something that is there, but of a type or size that this version does not use.
+/// The value of something that a file holds but in a type or size that this version does not use.
 struct NotUsed {
   bool operator==(const NotUsed&) const = default;
 };
