@@ -24,6 +24,7 @@
 #include <optional>
 #include <utility>
 
+#include "vndf/pair_coordinates.h"
 #include "vndf/slope_tables.h"
 #include "vndf/stretch.h"
 #include "vndf/table_coordinates.h"
@@ -93,15 +94,12 @@ class VisibleSlopeMap {
   explicit VisibleSlopeMap(std::shared_ptr<const SlopeTables> tables)
       : tables_(std::move(tables)),
         support_(bounded_from_slope(static_cast<T>(tables_->support))),
-        marginal_rows_(tables_->marginal_rows),
-        conditional_rows_(tables_->conditional_rows),
-        scale_{static_cast<T>(tables_->conditional_constant),
-               static_cast<T>(tables_->conditional_quadratic)},
-        marginal_map_(tables_->marginal_map) {}
+        coordinates_(*tables_),
+        scale_{static_cast<T>(coordinates_.scale.constant),
+               static_cast<T>(coordinates_.scale.quadratic)} {}
 
   const SlopeTables& tables() const { return *tables_; }
-  const RowAxis& marginal_rows() const { return marginal_rows_; }
-  const RowAxis& conditional_rows() const { return conditional_rows_; }
+  const PairCoordinates& coordinates() const { return coordinates_; }
 
   /// 2.a: the quantile of slope_x at u1, seen from cotangent `c`; it is at most `c`.
   BoundedSlope<T> marginal(const BoundedSlope<T>& c, const Probability<T>& u1) const noexcept {
@@ -137,7 +135,7 @@ class VisibleSlopeMap {
     const T v =
         slope.y == T(0) ? T(0) : conditional_value(bounded_from_fraction(std::abs(slope.y), scale));
     const TableColumns<T> columns{
-        tables_->marginal.inverse(marginal_row(c), marginal_map_.inverse(x.sigma)),
+        tables_->marginal.inverse(marginal_row(c), coordinates_.marginal_map.inverse(x.sigma)),
         tables_->conditional.inverse(conditional_row(x), v), slope.y < T(0) ? T(-1) : T(1)};
     if (!reaches(c, columns, x, v)) return {};
     return columns;
@@ -154,10 +152,10 @@ class VisibleSlopeMap {
   };
 
   double marginal_row(const BoundedSlope<T>& c) const {
-    return marginal_rows_.row(marginal_base(widened(c)));
+    return coordinates_.marginal_row(widened(c));
   }
   double conditional_row(const BoundedSlope<T>& x) const {
-    return conditional_rows_.row(conditional_base(widened(x)));
+    return coordinates_.conditional_row(widened(x));
   }
 
   /// The slope is clamped to the farthest one that is seen, for rounding may carry it beyond; there
@@ -165,7 +163,7 @@ class VisibleSlopeMap {
   MarginalStep marginal_at(const BoundedSlope<T>& c, double column) const {
     const BoundedSlope<T> edge = clamp_below(support_, c);
     const auto s = tables_->marginal.lookup_with_derivative(marginal_row(c), column);
-    const auto sigma = marginal_map_.at_with_derivative(s.value);
+    const auto sigma = coordinates_.marginal_map.at_with_derivative(s.value);
     const BoundedSlope<T> x = bounded_from_sigma(static_cast<T>(sigma.value));
     const bool inside = x.sigma < edge.sigma && x.complement > edge.complement;
     return {clamp_below(edge, x), static_cast<T>(marginal_column_rate(column)),
@@ -205,9 +203,8 @@ class VisibleSlopeMap {
 
   std::shared_ptr<const SlopeTables> tables_;
   BoundedSlope<T> support_;
-  RowAxis marginal_rows_, conditional_rows_;
+  PairCoordinates coordinates_;
   ConditionalScale<T> scale_;
-  MonotoneMap marginal_map_;
 };
 
 }  // namespace vndf

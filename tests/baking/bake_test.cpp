@@ -21,7 +21,7 @@ using namespace vndf::test;
 
 namespace {
 
-const std::vector<std::string> kLaws{"ggx", "beckmann", kMixture};
+const std::vector<std::string> kDistributions{"ggx", "beckmann", kMixture};
 
 /// Single-precision numbers in [0, 1] where cells may begin, with their neighbours, and others.
 std::vector<float> hard_numbers() {
@@ -44,10 +44,10 @@ kernel::VndfDirection direction(const Kernel& kernel, double theta) {
 
 /// The largest difference in u from the pair, of normals drawn at `theta`; the pair's own inverse
 /// tells for which u it gives the same normal.
-double difference(const std::string& law, double theta) {
+double difference(const std::string& distribution, double theta) {
   constexpr std::size_t kPlaces = 3000;
-  const Kernel kernel = baked_tables(law).kernel();
-  const TabulatedSampler<double> pair(small_tables(law).tables);
+  const Kernel kernel = baked_tables(distribution).kernel();
+  const TabulatedSampler<double> pair(small_tables(distribution).tables);
   const Vec3<float> wi = direction_at<float>(theta);
   double largest = 0;
   for (std::size_t k = 0; k < kPlaces; ++k) {
@@ -66,10 +66,10 @@ double difference(const std::string& law, double theta) {
 TEST_CASE("a kernel differs from its pair by no more than the tolerance") {
   // The rounding of a single-precision normal, in u.
   constexpr double kRounding = 1e-6;
-  for (const auto& law : kLaws)
+  for (const auto& distribution : kDistributions)
     for (const double theta : {1.0, 30.0, 60.0, 80.0}) {
-      CAPTURE(law, theta);
-      CHECK(difference(law, theta) <= kBakedWithin + kRounding);
+      CAPTURE(distribution, theta);
+      CHECK(difference(distribution, theta) <= kBakedWithin + kRounding);
     }
 }
 
@@ -107,9 +107,9 @@ TEST_CASE("slope x never decreases with u1 nor slope y with u2, but for their ro
   // the part that s changes, and s is rounded as often.
   constexpr double kRounded = 4 * 0x1p-23, kSmallest = 0.1;
   const std::vector<float> us = hard_numbers();
-  for (const auto& law : kLaws)
+  for (const auto& distribution : kDistributions)
     for (const double theta : {0.0, 1e-3, 20.0, 60.0, 85.0, 90.0}) {
-      const Kernel kernel = baked_tables(law).kernel();
+      const Kernel kernel = baked_tables(distribution).kernel();
       const auto w = direction(kernel, theta);
       float root = 0, v = -std::numeric_limits<float>::infinity();
       double worst_root = 0, worst_v = 0;
@@ -122,7 +122,7 @@ TEST_CASE("slope x never decreases with u1 nor slope y with u2, but for their ro
         root = x.root;
         v = y.v;
       }
-      CAPTURE(law, theta);
+      CAPTURE(distribution, theta);
       CHECK(worst_root <= (kernel.tables().separable != 0 ? 1 : 3) * kRounded);
       CHECK(worst_v <= kRounded);
     }
@@ -133,8 +133,8 @@ TEST_CASE("the density has no steps along u1 and u2") {
   constexpr double kStep = 5e-4;
   // Beyond which the next random number is farther than that.
   constexpr float kLeast = 1e-3f;
-  for (const auto& law : kLaws) {
-    const Kernel kernel = baked_tables(law).kernel();
+  for (const auto& distribution : kDistributions) {
+    const Kernel kernel = baked_tables(distribution).kernel();
     const auto at = kernel.at(direction_at<float>(50), {1, 1});
     const auto step = [&](float u, auto density) {
       const float below = density(std::nextafter(u, 0.0f)), above = density(u);
@@ -148,7 +148,7 @@ TEST_CASE("the density has no steps along u1 and u2") {
       along_u2 =
           std::max(along_u2, step(u, [&](float p) { return at.sample_with_density(0.3f, p).pdf; }));
     }
-    CAPTURE(law);
+    CAPTURE(distribution);
     CHECK(along_u1 <= kStep);
     CHECK(along_u2 <= kStep);
   }
@@ -156,8 +156,8 @@ TEST_CASE("the density has no steps along u1 and u2") {
 
 TEST_CASE("vectors and the portable code give the same bits") {
   RandomInputs random(7);
-  for (const auto& law : kLaws) {
-    const Kernel kernel = baked_tables(law).kernel();
+  for (const auto& distribution : kDistributions) {
+    const Kernel kernel = baked_tables(distribution).kernel();
     std::size_t different = 0;
     for (int k = 0; k < 20000; ++k) {
       const SamplerInput in = random.hard();
@@ -170,7 +170,7 @@ TEST_CASE("vectors and the portable code give the same bits") {
       different += bits(answers_of<Kernel, Vec3<float>, Alpha<float>>(kernel, input)) !=
                    bits(portable_answers(&kernel.tables(), input));
     }
-    CAPTURE(law);
+    CAPTURE(distribution);
     CHECK(different == 0);
   }
 }

@@ -22,7 +22,7 @@ static_assert(NormalSampler<Kernel, float>);
 
 namespace {
 
-const std::vector<std::string> kLaws{"ggx", "beckmann", kMixture};
+const std::vector<std::string> kDistributions{"ggx", "beckmann", kMixture};
 
 struct Input {
   Vec3<float> wi;
@@ -49,8 +49,8 @@ Vec3<double> widen(const Vec3<float>& v) {
 }  // namespace
 
 TEST_CASE("every normal of a kernel is a unit vector above the horizon that faces wi") {
-  for (const auto& law : kLaws) {
-    const Kernel kernel = baked_tables(law).kernel();
+  for (const auto& distribution : kDistributions) {
+    const Kernel kernel = baked_tables(distribution).kernel();
     double length = 0, away = 0;
     float lowest = 1;
     for (const Input& in : hard_inputs(50000)) {
@@ -60,7 +60,7 @@ TEST_CASE("every normal of a kernel is a unit vector above the horizon that face
       away = std::max(away, -dot(widen(in.wi), m));
       lowest = std::min(lowest, wm.z);
     }
-    CAPTURE(law);
+    CAPTURE(distribution);
     CHECK(length <= double{kKernelLengthSlack});
     CHECK(away <= double{kKernelFacingSlack});
     CHECK(lowest > 0);
@@ -68,8 +68,8 @@ TEST_CASE("every normal of a kernel is a unit vector above the horizon that face
 }
 
 TEST_CASE("many normals of one direction are those drawn one by one, with or without density") {
-  for (const auto& law : kLaws) {
-    const Kernel kernel = baked_tables(law).kernel();
+  for (const auto& distribution : kDistributions) {
+    const Kernel kernel = baked_tables(distribution).kernel();
     std::size_t different = 0;
     for (const Input& in : hard_inputs(20000)) {
       const Vec3<float> wm = kernel.sample(in.wi, in.alpha, in.u1, in.u2);
@@ -78,7 +78,7 @@ TEST_CASE("many normals of one direction are those drawn one by one, with or wit
                    !same(wm, direction.sample_with_density(in.u1, in.u2).wm) ||
                    !same(wm, kernel.sample_with_density(in.wi, in.alpha, in.u1, in.u2).wm);
     }
-    CAPTURE(law);
+    CAPTURE(distribution);
     CHECK(different == 0);
   }
 }
@@ -129,8 +129,8 @@ TEST_CASE("any u is moved into the range of u") {
 }
 
 TEST_CASE("normals change little from the pole to directions next to it, and from half to half") {
-  for (const auto& law : kLaws) {
-    const Kernel kernel = baked_tables(law).kernel();
+  for (const auto& distribution : kDistributions) {
+    const Kernel kernel = baked_tables(distribution).kernel();
     double pole = 0, half = 0;
     for (std::size_t k = 0; k < 1000; ++k) {
       const float u1 = static_cast<float>(support::golden(k)),
@@ -149,7 +149,7 @@ TEST_CASE("normals change little from the pole to directions next to it, and fro
                        distance(direction.sample(u1, 0.5f), direction.sample(u1, above)),
                        distance(direction.sample(0.5f, u2), direction.sample(above, u2))});
     }
-    CAPTURE(law);
+    CAPTURE(distribution);
     CHECK(pole <= 1e-5);  // a slope changes by some 1e-4 degrees
     CHECK(half <= 1e-5);  // the gap of two halves within their rounding and the tolerance
   }
@@ -159,9 +159,9 @@ TEST_CASE("the mean of a density over that of the map is its integral") {
   // Points so even leave an error of some 1 / count.
   constexpr std::size_t kCount = 1 << 16;
   constexpr double kError = 1e-3;
-  for (const auto& law : kLaws)
+  for (const auto& distribution : kDistributions)
     for (const double theta : {0.0, 30.0, 70.0, 89.0}) {
-      const Kernel kernel = baked_tables(law).kernel();
+      const Kernel kernel = baked_tables(distribution).kernel();
       const Vec3<float> wi = direction_at<float>(theta, 30);
       const Alpha<float> alpha{0.7f, 0.4f};
       const KernelDirection direction = kernel.at(wi, alpha);
@@ -172,7 +172,7 @@ TEST_CASE("the mean of a density over that of the map is its integral") {
             static_cast<float>(u1), static_cast<float>(support::golden(k)));
         sum += double{kernel.pdf(wi, wm, alpha)} / double{pdf};
       }
-      CAPTURE(law, theta);
+      CAPTURE(distribution, theta);
       CHECK(sum / kCount == Approx(1).margin(kError));
     }
 }
@@ -180,8 +180,8 @@ TEST_CASE("the mean of a density over that of the map is its integral") {
 TEST_CASE("the inverse of a normal is the u that it was drawn with") {
   // The rounding of a normal, in u, where it is not at the end of a tail or of visibility.
   constexpr double kRounding = 4e-6;
-  for (const auto& law : kLaws) {
-    const Kernel kernel = baked_tables(law).kernel();
+  for (const auto& distribution : kDistributions) {
+    const Kernel kernel = baked_tables(distribution).kernel();
     double largest = 0;
     std::size_t lost = 0;
     for (std::size_t k = 0; k < 20000; ++k) {
@@ -195,7 +195,7 @@ TEST_CASE("the inverse of a normal is the u that it was drawn with") {
       if (u)
         largest = std::max({largest, double{std::abs(u->x - u1)}, double{std::abs(u->y - u2)}});
     }
-    CAPTURE(law);
+    CAPTURE(distribution);
     CHECK(lost == 0);
     CHECK(largest <= kRounding);
   }
@@ -204,9 +204,9 @@ TEST_CASE("the inverse of a normal is the u that it was drawn with") {
 TEST_CASE("D, Lambda, G1 and the density are those of the pair") {
   // Curves follow the pair to the tolerance; two of them make a density.
   constexpr double kRelative = 2 * kBakedWithin;
-  for (const auto& law : kLaws) {
-    const Kernel kernel = baked_tables(law).kernel();
-    const TabulatedSampler<double> pair(small_tables(law).tables);
+  for (const auto& distribution : kDistributions) {
+    const Kernel kernel = baked_tables(distribution).kernel();
+    const TabulatedSampler<double> pair(small_tables(distribution).tables);
     const Alpha<float> alpha{0.6f, 0.3f};
     const Alpha<double> wide{alpha.x, alpha.y};
     for (std::size_t k = 0; k < 2000; ++k) {
@@ -214,7 +214,7 @@ TEST_CASE("D, Lambda, G1 and the density are those of the pair") {
           direction_at<float>(89.9 * support::golden(k), 360 * support::golden(3 * k));
       const Vec3<float> wm = kernel.sample(wi, alpha, static_cast<float>(support::golden(k, 0.2)),
                                            static_cast<float>(support::golden(2 * k)));
-      CAPTURE(law, wi.z, wm.x, wm.y, wm.z);
+      CAPTURE(distribution, wi.z, wm.x, wm.y, wm.z);
       CHECK(double{kernel.d(wm, alpha)} == Approx(pair.d(widen(wm), wide)).epsilon(kRelative));
       CHECK(1 + double{kernel.lambda(wi, alpha)} ==
             Approx(1 + pair.lambda(widen(wi), wide)).epsilon(kRelative));

@@ -11,6 +11,7 @@
 #include "commands/output_file.h"
 #include "commands/table_files.h"
 #include "report/gnuplot.h"
+#include "vndf/pair_coordinates.h"
 #include "vndf/table_coordinates.h"
 
 namespace vndf::tools {
@@ -34,23 +35,23 @@ std::string ticks(const std::vector<Tick>& list) {
 }
 
 std::vector<Tick> theta_ticks(const SlopeTables& t) {
-  const RowAxis rows(t.marginal_rows);
+  const PairCoordinates at(t);
   std::vector<Tick> list;
   for (const double degrees : {0.0, 1.0, 5.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0}) {
     const double theta = degrees * std::numbers::pi / 180;
     const auto c = bounded_cotangent(std::cos(theta), t.mean_slope * std::sin(theta));
-    list.push_back({fmt::format("{}", degrees), rows.row(marginal_base(c))});
+    list.push_back({fmt::format("{}", degrees), at.marginal_row(c)});
   }
   return list;
 }
 
 std::vector<Tick> slope_ticks(const SlopeTables& t) {
-  const RowAxis rows(t.conditional_rows);
+  const PairCoordinates at(t);
   std::vector<Tick> list;
   for (const double x : {0.0, 0.1, 0.5, 1.0, 2.0, 5.0})
     if (x < t.mean_slope * t.support)
       list.push_back(
-          {fmt::format("{}", x), rows.row(conditional_base(bounded_from_slope(x / t.mean_slope)))});
+          {fmt::format("{}", x), at.conditional_row(bounded_from_slope(x / t.mean_slope))});
   if (t.conditional_rows.empty()) list.push_back({"∞", 1.0});
   return list;
 }

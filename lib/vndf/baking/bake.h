@@ -1,5 +1,6 @@
-// Turns the pair of tables into those of a kernel (kernel_text.h): cells of cubics, split until
-// each keeps its tolerance, so that a sample needs neither the pair's roots nor its map.
+// Bakes a pair of tables: turns it into the block of a kernel (kernel_text.h). Sampling from the
+// pair takes fourth roots and two large tables; the kernel has cubics instead, in cells that are
+// split until each keeps the tolerance, and needs tens of kilobytes.
 #pragma once
 
 #include <cstddef>
@@ -10,28 +11,30 @@
 
 namespace vndf {
 
-/// The tolerances that bake() takes.
+/// The least and the largest tolerance that bake() takes.
 inline constexpr double kLeastTolerance = 1e-6, kMostTolerance = 1e-2;
 
 struct BakeOptions {
   /// Largest difference from the pair, in u, of either slope, from kLeastTolerance to
   /// kMostTolerance.
   double tolerance = 1e-5;
-  /// Most bytes of guides and patches, which are what sampling reads. Within them the faster layout
-  /// is taken: columns by q, or, where those do not fit, the smaller ones by its root.
+  /// Most bytes of guides and patches, which are what sampling reads. The faster layout, columns by
+  /// q = min(u, 1 - u), is taken if it fits; else the smaller one, columns by the root of q.
   std::size_t max_bytes = 262144;
 };
 
-/// No layout keeps the tolerance within the bytes. The message says what was reached and what would
-/// be needed.
+/// Thrown where no layout keeps the tolerance within the bytes. The message says what was reached,
+/// what would be needed and which option to change.
 class BakeError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The kernel's tables of `pair`, with the differences from it in their header. They have no
-/// certificate yet, for the exact law is not known here. Throws BakeError, and
-/// std::invalid_argument for options outside their range or a pair that check() refuses.
+/// Returns the kernel's tables of `pair`. Their header has the largest differences from the pair,
+/// in u, which were measured and are at most the tolerance. They have no certificate, because the
+/// exact distribution is not known here; precompute::bake_certified() measures one. Throws
+/// BakeError, and std::invalid_argument for options outside their range or a pair that breaks a
+/// rule of check().
 KernelTables bake(const SlopeTables& pair, const BakeOptions& options = {});
 
 }  // namespace vndf

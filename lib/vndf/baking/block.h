@@ -1,15 +1,32 @@
-// Puts the block of a kernel together: cubics in the order of the kernel's lanes and guides.
+// Puts the block of a kernel together, front to back: cubics, in the order in which the kernel
+// loads them into lanes, and guides, which lead from the keys of an axis to cubics.
 #pragma once
 
-#include <cmath>
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <vector>
 
 #include "vndf/baking/cells.h"
 #include "vndf/kernel_tables.h"
 
 namespace vndf::baking {
+
+/// Where the coefficients of the cells of an axis lie: those of the first cell at `first`, and
+/// those of each later one `distance` bytes after those before it.
+struct PlacedCells {
+  const Axis& axis;
+  std::uint32_t first, distance;
+
+  /// The entry of the guide for `key`. A key beyond the last cell is of that cell.
+  kernel::Guide entry(std::uint32_t key) const {
+    const auto above = std::ranges::upper_bound(axis.cells, key, {}, &AxisCell::first);
+    const auto k = std::max<std::ptrdiff_t>(above - axis.cells.begin() - 1, 0);
+    return {static_cast<float>(axis.cells[static_cast<std::size_t>(k)].begin),
+            first + distance * static_cast<std::uint32_t>(k)};
+  }
+};
 
 class KernelBlock {
  public:
@@ -30,38 +47,14 @@ class KernelBlock {
     for (const std::size_t k : {0u, 2u, 1u, 3u}) put(static_cast<float>(c[k]));
   }
 
-  /// The guide of an axis whose cells have their coefficients at `first` and `distance` bytes after
-  /// one another.
-  KernelAxis put_guide(const Axis& axis, std::uint32_t first, std::uint32_t distance) {
-    align(8);
-    const KernelAxis written{at(), axis.first_key(), axis.count(), axis.shift};
-    std::uint32_t offset = first;
-    for (const AxisCell& cell : axis.cells) {
-      for (std::uint32_t key = cell.first; key < cell.last; ++key)
-        put(kernel::Guide{static_cast<float>(cell.begin), offset});
-      offset += distance;
-    }
-    return written;
-  }
-
-  /// Two guides of axes of the same keys as one, an entry of each for every key; keys beyond the
-  /// last cell of one of them are of that cell.
-  KernelAxis put_guides(const Axis& a, std::uint32_t first_a, std::uint32_t distance_a,
-                        const Axis& b, std::uint32_t first_b, std::uint32_t distance_b) {
-    align(16);
-    const KernelAxis written{at(), a.first_key(), a.count(), a.shift};
-    const auto entry = [](const Axis& axis, std::size_t k, std::uint32_t first,
-                          std::uint32_t distance) {
-      return kernel::Guide{static_cast<float>(axis.cells[k].begin),
-                           first + distance * static_cast<std::uint32_t>(k)};
-    };
-    std::size_t i = 0, j = 0;
-    for (std::uint32_t key = a.first_key(); key < a.first_key() + a.count(); ++key) {
-      while (key >= a.cells[i].last && i + 1 < a.cells.size()) ++i;
-      while (key >= b.cells[j].last && j + 1 < b.cells.size()) ++j;
-      put(entry(a, i, first_a, distance_a));
-      put(entry(b, j, first_b, distance_b));
-    }
+  /// The guide of one axis, or of several side by side, with an entry of each for every key. The
+  /// keys are those of the first axis; the others have keys of as many bits.
+  KernelAxis put_guide(std::initializer_list<PlacedCells> cells) {
+    align(sizeof(kernel::Guide) * cells.size());
+    const Axis& keys = cells.begin()->axis;
+    const KernelAxis written{at(), keys.first_key(), keys.count(), keys.shift};
+    for (std::uint32_t key = keys.first_key(); key < keys.first_key() + keys.count(); ++key)
+      for (const PlacedCells& placed : cells) put(placed.entry(key));
     return written;
   }
 

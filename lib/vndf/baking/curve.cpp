@@ -1,4 +1,4 @@
-// Curves of the kernel.
+// Bakes curves: segments, and the cells in which one cubic follows the logarithm.
 #include "vndf/baking/curve.h"
 
 #include <algorithm>
@@ -9,14 +9,15 @@
 namespace vndf::baking {
 namespace {
 
-// Single precision holds nothing below; what is smaller is written as twice this logarithm.
+// 2^-150 is 0 in single precision. Whatever is smaller is written with twice this logarithm.
 constexpr double kNothing = -150;
-// Where a cell is compared with the function, as parts of its width.
+// Where in a cell its cubic is compared with the function, as parts of the width of the cell.
 constexpr std::array<double, 5> kPlaces{0.12, 0.3, 0.5, 0.7, 0.88};
 
-/// Distances of the first place from 0, and bits of the mantissa in a key: enough for a smooth
-/// function, for one that bends at the beginning, and for a pole there. The first that will do is
-/// taken.
+/// The distance of the first place from 0 and the bits of the mantissa in a key, which decide how
+/// fine cells can be at the beginning of a segment. The first of the list is enough for a smooth
+/// function, the next for one that bends at its beginning, and the last two for a cusp and a pole
+/// there; the first that is fine enough is taken, for it has the smallest guide.
 struct Resolution {
   double offset;
   int bits;
@@ -24,7 +25,7 @@ struct Resolution {
 constexpr std::array<Resolution, 4> kResolutions{
     {{0x1p-4, 2}, {0x1p-6, 3}, {0x1p-12, 4}, {0x1p-24, 5}}};
 
-/// One segment of a curve over places x - begin + offset.
+/// One segment of a curve and its cells, over the places x - begin + offset.
 class Segment {
  public:
   Segment(const CurveSpan& span, const std::function<double(double)>& log2, double tolerance)
@@ -37,14 +38,14 @@ class Segment {
     }
   }
 
-  /// Whether a cell of one key follows the function too little.
+  /// Whether some cell of one key does not follow the function.
   bool too_coarse() const { return axis_.too_coarse; }
 
   KernelSegment put(KernelBlock& block) const {
     block.align(16);
     const std::uint32_t first = block.at();
     for (const AxisCell& cell : axis_.cells) block.put_cubic(cubic(cell.begin, cell.end));
-    const KernelAxis axis = block.put_guide(axis_, first, 16);
+    const KernelAxis axis = block.put_guide({{axis_, first, 16}});
     return {static_cast<float>(span_.begin),
             axis.guide - (axis.first_key << 3),
             static_cast<float>(span_.end),
@@ -60,6 +61,7 @@ class Segment {
     return std::clamp(span_.begin + (place - offset_), span_.begin, span_.end);
   }
 
+  /// The logarithm and its derivative, from a difference, since curves are given by values alone.
   Node node(double place) const {
     constexpr double kStep = 1e-5, kLeastStep = 1e-12;
     const double x = slope_at(place);
@@ -70,7 +72,7 @@ class Segment {
     return {value, (above - below) / (high - low)};
   }
 
-  /// The cubic of a cell; a constant where there is nothing, or no width.
+  /// The cubic of a cell; a constant where the function is 0 or the cell has no width.
   Cubic cubic(double begin, double end) const {
     const Node left = node(begin), right = node(end);
     if (!(end > begin) || (left.value < kNothing && right.value < kNothing))
@@ -79,7 +81,7 @@ class Segment {
   }
 
   bool follows(double begin, double end) const {
-    // Of a longer cell all places would be far from its beginning.
+    // A longer cell would be compared at places that all lie far from its beginning.
     constexpr double kLongest = 4;
     if (end > kLongest * begin && log2_(slope_at(begin)) >= kNothing) return false;
     const Cubic c = cubic(begin, end);
@@ -92,16 +94,17 @@ class Segment {
 
   CurveSpan span_;
   std::function<double(double)> log2_;
-  double tolerance_;  // of the logarithm; half is left to what lies between the places
+  double tolerance_;  // of the logarithm; the other half is for what lies between the places
   double offset_ = 0;
   Axis axis_;
 };
 
-/// Segments of one span, halved to its end where keys are too coarse: those of a segment crowd at
-/// its beginning alone, and a density that falls to 0 at a rim bends most at its end.
+/// The segments of one span. Keys of a segment crowd at its beginning alone, but a density that
+/// falls to 0 at a rim bends most at its end. Where keys are too coarse the span is therefore
+/// halved, again and again towards its end.
 std::vector<Segment> segments_of(CurveSpan span, const std::function<double(double)>& log2,
                                  double tolerance) {
-  constexpr double kNarrowest = 0x1p-20;
+  constexpr double kNarrowest = 0x1p-20;  // of the span: a few digits of single precision remain
   const double narrowest = kNarrowest * (span.end - span.begin);
   std::vector<Segment> segments;
   for (;;) {
@@ -116,8 +119,8 @@ std::vector<Segment> segments_of(CurveSpan span, const std::function<double(doub
   }
 }
 
-/// The end `x` of a span, moved towards `inside` where its rounding has left the curve.
-double held_inside(float x, float inside, const std::function<double(double)>& log2) {
+/// The end `x` of a span. It is moved towards `inside` if rounding has carried it out of the curve.
+double moved_inside(float x, float inside, const std::function<double(double)>& log2) {
   constexpr int kSteps = 4;
   for (int k = 0; k < kSteps && !std::isfinite(log2(double{x})); ++k) x = std::nextafter(x, inside);
   return x;
@@ -131,9 +134,9 @@ std::vector<CurveSpan> spans_of(const LogCurve<double>& curve, double unit,
   for (const auto& segment : curve.segments()) {
     const auto begin = static_cast<float>(std::sinh(segment.begin) / unit),
                end = static_cast<float>(std::sinh(segment.end) / unit);
-    spans.push_back({held_inside(begin, end, log2), held_inside(end, begin, log2)});
+    spans.push_back({moved_inside(begin, end, log2), moved_inside(end, begin, log2)});
   }
-  // Beyond the end of the last span the kernel has nothing.
+  // The kernel's curve is 0 beyond its last span, where that of the pair goes on.
   double& end = spans.back().end;
   while (curve.open() && end < kernel::kVndfFarthest && log2(end) > kNothing)
     end = std::min(2 * end, double{kernel::kVndfFarthest});

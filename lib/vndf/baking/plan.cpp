@@ -12,28 +12,22 @@
 namespace vndf::baking {
 namespace {
 
-// Where the errors of a cell are looked at, as parts of its width.
+// Where in a cell a cubic is compared with the pair, as parts of the width of the cell.
+// Hermite cubics have no error at the edges. Three places in a column or nine change the bytes by 2
+// % at most.
 constexpr std::array<double, 5> kPlacesInColumn{0.12, 0.3, 0.5, 0.7, 0.88};
 constexpr std::array<double, 3> kPlacesInRow{0.1, 0.45, 0.9};
-/// Whether the cubic between two nodes turns back nowhere (Fritsch and Carlson 1980).
-bool increases(const Node& low, const Node& high, double width) {
-  const double rise = kSteepest * (high.value - low.value) / width;
-  const auto along = [rise](const Node& node) {
-    return std::abs(node.derivative) <= std::abs(rise) && node.derivative * rise >= 0;
-  };
-  return along(low) && along(high);
-}
 
 /// Whether one cubic follows a row of the surface from p = `begin` to `end`.
 bool follows_column(const Surface& surface, const Columns& columns, const Criterion& criterion,
                     double row, double begin, double end) {
   const Node low = node_at(surface, columns, row, begin),
              high = node_at(surface, columns, row, end);
-  // Next to the pointed middle of a law a derivative may be infinite; where too few samples land to
-  // see it, it is limited.
+  // Next to the pointed middle of a density the derivative may be infinite. No cell is short enough
+  // for it there, so that it is limited where too few samples land to see it.
   const double mass = std::abs(columns.probability(end) - columns.probability(begin));
-  if (mass > criterion.tolerance / 4 && !increases(low, high, end - begin)) return false;
-  const Cubic cubic = limited_hermite(low, high, end - begin);
+  if (mass > criterion.tolerance / 4 && !is_monotone(low, high, end - begin)) return false;
+  const Cubic cubic = monotone_hermite(low, high, end - begin);
   return std::ranges::all_of(kPlacesInColumn, [&](double f) {
     const double p = begin + f * (end - begin), q = columns.probability(p);
     return criterion.accepts(baking::at(cubic, p - begin), surface.at(row, q), q);
@@ -46,14 +40,15 @@ Axis column_cells(const Surface& surface, const Columns& columns, const Criterio
   return cells_between(columns.least(), columns.most(), bits, [&](double begin, double end) {
     for (auto row = rows.begin(); row != rows.end(); ++row)
       if (!follows_column(surface, columns, criterion, *row, begin, end)) {
-        std::iter_swap(row, rows.begin());  // what failed is asked first the next time
+        std::iter_swap(row, rows.begin());  // the next cell will probably fail at the same row
         return false;
       }
     return true;
   });
 }
 
-/// Probabilities at which rows are looked at before there are columns, crowded at both ends.
+/// Probabilities at which rows are compared while no columns are laid. They crowd at both ends,
+/// where quantile functions bend most.
 std::vector<double> usual_probabilities() {
   constexpr double kRatio = 1.6, kNearHalf = 0x1p-9;
   std::vector<double> qs;
@@ -62,7 +57,7 @@ std::vector<double> usual_probabilities() {
   return qs;
 }
 
-/// Those at the edges of columns and between them.
+/// Probabilities at the edges of columns and between them.
 std::vector<double> probabilities_of(const Columns& columns, const Axis& axis) {
   std::vector<double> qs;
   for (const AxisCell& cell : axis.cells)
@@ -71,7 +66,8 @@ std::vector<double> probabilities_of(const Columns& columns, const Axis& axis) {
   return qs;
 }
 
-/// Whether the cubic through four rows follows the surface between them.
+/// Whether the cubic through four rows follows the surface between them at each of `qs`, which are
+/// put into another order.
 bool follows_rows(const Surface& surface, const Criterion& criterion, std::vector<double>& qs,
                   double begin, double end) {
   std::array<double, 4> nodes;
@@ -85,28 +81,31 @@ bool follows_rows(const Surface& surface, const Criterion& criterion, std::vecto
     const Cubic cubic = through(values, 1);
     for (std::size_t i = 0; i < 3; ++i)
       if (!criterion.accepts(baking::at(cubic, kPlacesInRow[i]), surface.at(between[i], *q), *q)) {
-        std::iter_swap(q, qs.begin());  // what failed is asked first the next time
+        std::iter_swap(q, qs.begin());  // the next cell will probably fail at the same q
         return false;
       }
   }
   return true;
 }
 
-/// The cells with the fewest bits of those with which none of one key is too coarse.
-template <class Make>
-Axis with_enough_bits(std::initializer_list<int> candidates, Make make) {
-  Axis axis;
-  for (const int bits : candidates) {
-    axis = make(bits);
-    if (!axis.too_coarse) break;
-  }
-  return axis;
+/// Calls `lay(bits)`, which lays axes with keys of so many bits and says whether all are fine
+/// enough, with one number of bits after the other until they are. The fewest make the smallest
+/// guides.
+template <class Lay>
+void lay_with_enough_bits(std::initializer_list<int> candidates, Lay lay) {
+  for (const int bits : candidates)
+    if (lay(bits)) return;
 }
 
-// Rows at which columns are looked at, as parts of a cell of rows.
+bool fine_enough(std::initializer_list<const Axis*> axes) {
+  return std::ranges::none_of(axes, &Axis::too_coarse);
+}
+
+// The rows at which columns are compared, as parts of a cell of rows: its edges first, where
+// patches meet.
 constexpr std::array<double, 6> kRowsInCell{0, 0.5, 0.15, 0.85, 0.35, 0.65};
 
-/// Rows of a surface at places in the cells of an axis whose places are `offset` higher.
+/// Rows of a surface at so many places in each cell of an axis, whose places are `offset` higher.
 std::vector<double> rows_in(const Surface& surface, const Axis& axis, double offset,
                             std::size_t places) {
   std::vector<double> rows;
@@ -117,8 +116,8 @@ std::vector<double> rows_in(const Surface& surface, const Axis& axis, double off
   return rows;
 }
 
-/// Whether the conditional is the same at two slopes x: rows of y are looked up by s, and x is what
-/// the map makes of it.
+/// Whether the conditional is the same at two slopes x, given by their roots of sigma. It must be,
+/// because the kernel looks up rows of y by s, while x is what its map makes of s.
 bool same_conditional(const PairSlopes& slopes, const Criterion& criterion, double root,
                       double other) {
   const auto slope = [](double r) { return std::abs(r * r - 0.5) / (r * r * (1 - r * r)); };
@@ -129,8 +128,8 @@ bool same_conditional(const PairSlopes& slopes, const Criterion& criterion, doub
   return near(0.45) && near(0.25) && near(0.1) && near(0.02);
 }
 
-/// Whether one cubic follows the map between two places of a half. Errors are those of u of its
-/// base distribution.
+/// Whether one cubic follows the map between two places of a half. Its errors are measured in u of
+/// the map's base distribution.
 bool follows_map(const PairSlopes& slopes, const Criterion& criterion, bool upper, double begin,
                  double end) {
   const Cubic cubic =
@@ -146,8 +145,9 @@ bool follows_map(const PairSlopes& slopes, const Criterion& criterion, bool uppe
   });
 }
 
-/// The cells over s, which share a guide and so have keys of as many bits.
-void lay_slopes(Plan& plan, const PairSlopes& slopes, const Criterion& criterion) {
+/// Lays the cells over s, which share a guide and so have keys of as many bits.
+void lay_slopes(Plan& plan, const Criterion& criterion) {
+  const PairSlopes& slopes = plan.pair;
   const double offset = plan.slope_offset;
   auto qs = usual_probabilities();
   if (!plan.conditional.cells.empty()) {
@@ -155,46 +155,50 @@ void lay_slopes(Plan& plan, const PairSlopes& slopes, const Criterion& criterion
     const auto more = probabilities_of(plan.columns.halved(true), plan.mirrored);
     qs.insert(qs.end(), more.begin(), more.end());
   }
-  for (const int bits : {5, 6, 7}) {
-    bool too_coarse = false;
+  lay_with_enough_bits({5, 6, 7}, [&](int bits) {
+    bool fine = true;
     for (const bool upper : {false, true}) {
       const double most =
           upper ? slopes.most_s() - slopes.middle_s() : slopes.middle_s() - slopes.least_s();
       const Surface conditional = conditional_surface(slopes, upper);
       SlopeHalf& half = plan.slopes[upper ? 1 : 0];
-      // A visible density is a few times that of the map's base distribution at most.
+      // The error in u1 may be a few times larger, as a visible density is larger than that of the
+      // map's base distribution. With the whole tolerance here, distributions with rows of y keep
+      // it only with the smaller shares, which take 18 to 28 % more bytes.
       half.map = cells_between(offset, most + offset, bits, [&](double begin, double end) {
         return follows_map(slopes, {criterion.tolerance / 4}, upper, begin - offset, end - offset);
       });
       half.rows = cells_between(offset, most + offset, bits, [&](double begin, double end) {
         return follows_rows(conditional, criterion, qs, begin - offset, end - offset);
       });
-      too_coarse = too_coarse || half.map.too_coarse || half.rows.too_coarse;
+      fine = fine && fine_enough({&half.map, &half.rows});
     }
-    if (!too_coarse) return;
-  }
+    return fine;
+  });
 }
 
-/// The rows of both tables, by the columns as they are laid, if they are.
-void lay_rows(Plan& plan, const PairSlopes& slopes, const Criterion& criterion) {
-  const Surface lower = marginal_surface(slopes, false), upper = marginal_surface(slopes, true);
+/// Lays the rows of both tables, by the columns if those are laid.
+void lay_rows(Plan& plan, const Criterion& criterion) {
+  const Surface lower = marginal_surface(plan.pair, false),
+                upper = marginal_surface(plan.pair, true);
   const auto probabilities = [&](const Axis& axis) {
     return axis.cells.empty() ? usual_probabilities() : probabilities_of(plan.columns, axis);
   };
   auto low = probabilities(plan.lower), high = probabilities(plan.upper);
-  plan.directions = with_enough_bits({4, 6, 8}, [&](int bits) {
-    const double offset = plan.direction_offset;
-    return cells_between(offset, 1 + offset, bits, [&](double begin, double end) {
+  const double offset = plan.direction_offset;
+  lay_with_enough_bits({4, 6, 8}, [&](int bits) {
+    plan.directions = cells_between(offset, 1 + offset, bits, [&](double begin, double end) {
       return follows_rows(lower, criterion, low, begin - offset, end - offset) &&
              follows_rows(upper, criterion, high, begin - offset, end - offset);
     });
+    return !plan.directions.too_coarse;
   });
-  if (!slopes.separable()) lay_slopes(plan, slopes, criterion);
+  if (!plan.pair.separable()) lay_slopes(plan, criterion);
 }
 
-/// The columns of both tables, looked at on so many rows in each cell of rows.
-void lay_columns(Plan& plan, const PairSlopes& slopes, const Criterion& criterion,
-                 std::size_t places) {
+/// Lays the columns of both tables, compared on so many rows in each cell of rows.
+void lay_columns(Plan& plan, const Criterion& criterion, std::size_t places) {
+  const PairSlopes& slopes = plan.pair;
   const Surface lower = marginal_surface(slopes, false), upper = marginal_surface(slopes, true),
                 conditional = conditional_surface(slopes, false);
   const auto directions = rows_in(lower, plan.directions, plan.direction_offset, places);
@@ -205,48 +209,43 @@ void lay_columns(Plan& plan, const PairSlopes& slopes, const Criterion& criterio
                               plan.slope_offset, places);
     xs.insert(xs.end(), more.begin(), more.end());
   }
-  // The columns of both tables have keys of as many bits.
-  for (const int bits : {4, 6}) {
-    plan.lower = column_cells(lower, plan.columns, criterion, directions, bits);
-    plan.upper = column_cells(upper, plan.columns, criterion, directions, bits);
-    if (plan.separable) {
-      plan.conditional = column_cells(conditional, plan.columns, criterion, xs, bits);
-    } else {
-      plan.conditional = column_cells(conditional, plan.columns.halved(false), criterion, xs, bits);
-      plan.mirrored = column_cells(conditional, plan.columns.halved(true), criterion, xs, bits);
-    }
-    if (!plan.lower.too_coarse && !plan.upper.too_coarse && !plan.conditional.too_coarse &&
-        !plan.mirrored.too_coarse)
-      return;
-  }
+  // The kernel shifts the places of both tables by one number, so that keys have as many bits.
+  lay_with_enough_bits({4, 6}, [&](int bits) {
+    const auto cells = [&](const Surface& surface, const Columns& columns,
+                           const std::vector<double>& rows) {
+      return column_cells(surface, columns, criterion, rows, bits);
+    };
+    plan.lower = cells(lower, plan.columns, directions);
+    plan.upper = cells(upper, plan.columns, directions);
+    plan.conditional =
+        cells(conditional, slopes.separable() ? plan.columns : plan.columns.halved(false), xs);
+    if (!slopes.separable()) plan.mirrored = cells(conditional, plan.columns.halved(true), xs);
+    return fine_enough({&plan.lower, &plan.upper, &plan.conditional, &plan.mirrored});
+  });
 }
 
-Plan plan_in(const PairSlopes& slopes, const Columns& columns) {
-  return {.unit = slopes.unit(), .columns = columns, .separable = slopes.separable()};
-}
-
-/// The unit in which the tables need the fewest rows.
-double best_unit(const SlopeTables& pair, const Columns& columns, const Criterion& criterion) {
-  const auto units = units_to_try(pair);
-  const auto rows = [&](double unit) {
-    if (units.size() == 1) return std::size_t{0};
-    const PairSlopes slopes(pair, unit);
-    Plan plan = plan_in(slopes, columns);
-    lay_rows(plan, slopes, criterion);
+/// The candidate in whose unit the tables need the fewest rows.
+const PairSlopes& best_of(const std::vector<PairSlopes>& candidates, const Columns& columns,
+                          const Criterion& criterion) {
+  if (candidates.size() == 1) return candidates.front();
+  return *std::ranges::min_element(candidates, {}, [&](const PairSlopes& pair) {
+    Plan plan{.pair = pair, .columns = columns};
+    lay_rows(plan, criterion);
     return plan.directions.cells.size() + plan.slope_rows();
-  };
-  return *std::ranges::min_element(units, {}, rows);
+  });
 }
 
 }  // namespace
 
-Plan plan_for(const SlopeTables& pair, const Columns& columns, const Criterion& criterion) {
-  const PairSlopes slopes(pair, best_unit(pair, columns, criterion));
-  Plan plan = plan_in(slopes, columns);
-  // Each is laid twice: rows are looked at where columns end, and columns where rows do.
+Plan plan_for(const std::vector<PairSlopes>& candidates, const Columns& columns,
+              const Criterion& criterion) {
+  Plan plan{.pair = best_of(candidates, columns, criterion), .columns = columns};
+  // Both are laid twice, because rows are compared where columns end, and columns where rows do.
+  // Laid once, rows miss the tolerance of exponential power 0.5, which then takes a quarter more
+  // bytes.
   for (const std::size_t places : {2u, 6u}) {
-    lay_rows(plan, slopes, criterion);
-    lay_columns(plan, slopes, criterion, places);
+    lay_rows(plan, criterion);
+    lay_columns(plan, criterion, places);
   }
   return plan;
 }

@@ -1,33 +1,36 @@
-// Where the cells of a kernel lie: rows and columns, split until one cubic follows the pair in
-// each.
+// The plan of a kernel: where the cells of its axes lie. Rows and columns are split until one cubic
+// follows the pair in each, so that cells are fine where a table bends and nowhere else.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
+#include "vndf/baking/pair_slopes.h"
 #include "vndf/baking/surface.h"
 #include "vndf/kernel_tables.h"
-#include "vndf/slope_tables.h"
 
 namespace vndf::baking {
 
-/// Cells of the map and rows of the conditional over |s - s0| of one half of s.
+/// The cells over |s - s0| of one half of s: those of the map, and the rows of the conditional.
 struct SlopeHalf {
   Axis map = {}, rows = {};
 };
 
-/// The power of two by which places above s0 are larger: more than the octaves of one half.
+/// By how many powers of two places above s0 are larger: more than the octaves that one half has.
 inline constexpr int kSlopeOctaves = 8;
 
-/// Where the cells of a kernel lie.
 struct Plan {
-  double unit;
+  const PairSlopes& pair;  ///< in the unit that was chosen
   Columns columns;
-  Axis directions = {}, lower = {}, upper = {};  // of the marginal: rows, columns around 1/2
-  Axis conditional = {}, mirrored = {};          // columns of the conditional
-  std::array<SlopeHalf, 2> slopes = {};          // below and above s0, unless separable
+  Axis directions = {};                  ///< rows of the marginal
+  Axis lower = {}, upper = {};           ///< columns of the marginal, u1 below and above one half
+  Axis conditional = {}, mirrored = {};  ///< columns of the conditional
+  std::array<SlopeHalf, 2> slopes = {};  ///< below and above s0; empty if the pair is separable
+  // How far the first place of an axis is from 0, which decides how fine its cells can be there.
+  // 2^-6 and 2^-10 change the bytes by 6 % at most; but of slopes 2^-10 has more than
+  // kSlopeOctaves.
   double direction_offset = 0x1p-8, slope_offset = 0x1p-8;
-  bool separable = false;
 
   std::size_t slope_rows() const {
     return slopes[0].rows.cells.size() + slopes[1].rows.cells.size();
@@ -35,6 +38,7 @@ struct Plan {
 
   /// Bytes of patches and guides.
   std::size_t bytes() const {
+    const bool separable = pair.separable();
     const std::size_t row = 64 * directions.cells.size();
     const std::size_t cell = separable ? 16 : 64 * slope_rows();
     const std::size_t keys =
@@ -49,8 +53,9 @@ struct Plan {
   }
 };
 
-/// The plan for `pair` with these columns, in the unit that needs the fewest rows, each of rows and
-/// columns within the criterion.
-Plan plan_for(const SlopeTables& pair, const Columns& columns, const Criterion& criterion);
+/// The plan with these columns, in that unit of `candidates` which needs the fewest rows. Each of
+/// rows and columns keeps within the criterion. The plan refers to the candidate.
+Plan plan_for(const std::vector<PairSlopes>& candidates, const Columns& columns,
+              const Criterion& criterion);
 
 }  // namespace vndf::baking

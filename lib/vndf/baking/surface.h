@@ -1,5 +1,5 @@
-// What a kernel follows and how nearly: the quantile functions of a pair as surfaces over rows and
-// q = min(u, 1 - u), the axis of columns, and the errors that count as none.
+// What a kernel follows and how closely: the two quantile functions of a pair as surfaces over rows
+// and q = min(u, 1 - u), the axis of columns, and the errors that count as none.
 #pragma once
 
 #include <algorithm>
@@ -8,25 +8,30 @@
 
 #include "vndf/baking/cells.h"
 #include "vndf/baking/pair_slopes.h"
-#include "vndf/cubic_piece.h"
 
 namespace vndf::baking {
 
-// Tails are followed to the first part of their mass down to this probability, and to the second
-// below it, where they are seldom seen but values must not run away.
+// How far u may be from the exact one in a tail, as a part of q: within the tolerance alone the
+// mass of a tail could change many times. Half of kTailError takes up to 18 % more bytes
+// (Beckmann), and more than twice of it saves 5 % at most. Below kLeastTail few samples land, but
+// values must not run away.
 inline constexpr double kTailError = 0.04, kLeastTail = 0x1p-21, kLeastTailError = 0.5;
-// Differences below these roundings of a value count as none.
+// Differences of this part of a value count as none, since coefficients are in single precision and
+// a sum of four of them is rounded about as much.
 inline constexpr double kRounding = 0x1p-22;
-/// The column axis: places p of probabilities q = min(u, 1 - u), or their mirrors in the middle.
+
+/// The axis of columns: the place p of a probability q = min(u, 1 - u). Where the conditional has
+/// rows its axis is halved, and the half near u2 = 1/2 has mirrored places, which are small there.
 struct Columns {
-  bool roots;
-  double offset;  ///< of roots
-  int octaves;    ///< places above one half are this power of two larger, and so are mirrors
+  bool roots;     ///< whether p is sqrt(2 q) + offset; else it is q
+  double offset;  ///< that of roots
+  int octaves;    ///< by how many powers of two places above one half, and mirrors, are larger
   bool half = false, mirrored = false;
 
   double least() const { return roots ? offset + 0x1p-12 : 0x1p-25; }
   double most() const { return half ? span() / 2 : roots ? 1 + offset : 0.5; }
-  /// What a place and its mirror add up to; not less than the least place and the most do.
+  /// What a place and its mirror add up to: not less than the sum of the least place and the most,
+  /// so that no mirror is before the first place.
   double span() const { return roots ? 1 + 2 * offset + 0x1p-12 : 0.5 + 0x1p-24; }
   double probability(double place) const {
     const double p = mirrored ? span() - place : place;
@@ -38,16 +43,19 @@ struct Columns {
     if (!roots) return mirrored ? -1 : 1;
     return mirrored ? -(span() - place - offset) : place - offset;
   }
-  /// The half of it below the middle, or above.
+  /// The half below the middle of the axis or, mirrored, the half above it.
   Columns halved(bool above) const { return {roots, offset, octaves, true, above}; }
 };
-// The least place above one half, 2^-25 of p, is to have another key than 1/2 below it.
+// Both have more octaves than the axis of one half, so that no two halves share a key: places run
+// from 2^-25 to 1/2, and from 2^-8 to 1 + 2^-8.
 inline constexpr Columns kByProbability{false, 0, 25}, kByRoot{true, 0x1p-8, 9};
 
-/// Whether values are near enough to those of a quantile function.
+/// How near a value must be to that of a quantile function.
 struct Criterion {
   double tolerance;  ///< in u
 
+  /// Whether `value` stands for `exact`, the value and derivative at q: the difference in u is that
+  /// of the values over the derivative.
   bool accepts(double value, const Node& exact, double q) const {
     const double difference = std::abs(value - exact.value);
     const double error = difference / std::abs(exact.derivative);
@@ -56,32 +64,33 @@ struct Criterion {
   }
 };
 
-/// A quantile function over rows and q: of (g, u1) or of (place of slope x, q).
+/// A quantile function over the places of rows and q.
 struct Surface {
-  /// What stands for a row: it is made once for many q.
+  /// What at() takes for the place of a row, because many q are asked for one row.
   std::function<double(double place)> row;
   std::function<Node(double row, double q)> at;
 };
 
-/// s of a place |s - s0|.
+/// s of the place |s - s0| in one half, s0 being that of slope 0.
 inline double s_at(const PairSlopes& slopes, double place, bool upper) {
   return upper ? slopes.middle_s() + place : slopes.middle_s() - place;
 }
 
-/// The root that the map has at a place |s - s0| of one half, and its derivative by the place.
+/// The root of sigma at the place |s - s0| of one half, with its derivative by the place.
 inline Node map_node(const PairSlopes& slopes, double place, bool upper) {
   const Node root = slopes.map(s_at(slopes, place, upper));
   return {root.value, upper ? root.derivative : -root.derivative};
 }
 
+/// What stands for slope x (PairSlopes::marginal) over g and q, in one half of u1.
 inline Surface marginal_surface(const PairSlopes& slopes, bool upper) {
   return {[&slopes](double g) { return slopes.direction_row(g); },
           [&slopes, upper](double row, double q) { return slopes.marginal(row, q, upper); }};
 }
-/// Over the places |s - s0| of one half.
+/// Slope y over the places |s - s0| of one half, and q.
 inline Surface conditional_surface(const PairSlopes& slopes, bool upper) {
   return {[&slopes, upper](double place) { return slopes.slope_at(s_at(slopes, place, upper)); },
-          // The same row is asked for many q in a row.
+          // Keeps the row of the last x, for it is asked for many q one after the other.
           [&slopes, last = -1.0, row = PairSlopes::ConditionalRow{}](double x, double q) mutable {
             if (x != last) {
               row = slopes.conditional_row(x);
@@ -91,19 +100,10 @@ inline Surface conditional_surface(const PairSlopes& slopes, bool upper) {
           }};
 }
 
+/// The node of a surface at the place `p` of a column.
 inline Node node_at(const Surface& surface, const Columns& columns, double row, double p) {
   const Node node = surface.at(row, columns.probability(p));
   return {node.value, node.derivative * columns.rate(p)};
-}
-
-/// The cubic between two nodes, with derivatives that keep it from turning back.
-inline Cubic limited_hermite(const Node& low, const Node& high, double width) {
-  const double most = kSteepest * (high.value - low.value) / width;
-  const auto limited = [most](double derivative) {
-    return std::clamp(derivative, std::min(most, 0.0), std::max(most, 0.0));
-  };
-  return hermite({low.value, limited(low.derivative)}, {high.value, limited(high.derivative)},
-                 width);
 }
 
 }  // namespace vndf::baking

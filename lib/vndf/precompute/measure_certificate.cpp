@@ -115,10 +115,10 @@ struct Judge {
 };
 
 TableErrors judge_marginal(const Judge& judge, const support::Workers& workers) {
-  const RowAxis& rows = judge.sampler.map().marginal_rows();
+  const PairCoordinates& at = judge.sampler.map().coordinates();
   std::vector<Judge::Direction> directions;
   for (const double row : off_grid_rows(judge.sampler.tables().marginal.rows(), kJudgedRows))
-    directions.push_back(Judge::direction(marginal_base_inverse(rows.base(row))));
+    directions.push_back(Judge::direction(at.marginal_row_inverse(row)));
   for (const double degrees : kHardIncidences)
     directions.push_back(judge.direction(degrees * kDegree));
   return judge_rows(directions.size(), workers,
@@ -127,10 +127,10 @@ TableErrors judge_marginal(const Judge& judge, const support::Workers& workers) 
 
 TableErrors judge_conditional(const Judge& judge, const support::Workers& workers) {
   const SlopeTables& tables = judge.sampler.tables();
-  const RowAxis& rows = judge.sampler.map().conditional_rows();
+  const PairCoordinates& at = judge.sampler.map().coordinates();
   std::vector<double> reached;
   for (const double row : off_grid_rows(tables.conditional.rows(), kJudgedRows)) {
-    const double x = conditional_base_inverse(rows.base(row));
+    const double x = at.conditional_row_inverse(row);
     const auto sigma = static_cast<float>(bounded_from_slope(x).sigma);
     if (judges_conditional(judge.slopes, x, sigma)) reached.push_back(x);
   }
