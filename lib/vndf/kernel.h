@@ -1,12 +1,15 @@
-// Sampling and evaluating the distribution of visible normals from baked tables: what a renderer
-// uses. A Kernel is a view, a few dozen numbers and the place of the block in memory, which it does
-// not own: copy it freely, also to another thread or device. The functions are those of
-// kernel_text.h.
+// What a renderer uses: visible normals at any roughness and incidence, and D, Lambda, G1 and the
+// density, from baked tables (Heitz and d'Eon 2014, Algorithm 4 and equations 1 to 3). A Kernel is
+// a view of a block in memory, which it does not own, and holds a few dozen numbers: copy it
+// freely, also to another thread or device. kernel_text.h has the functions themselves, for any
+// language.
 //
-// Inputs of every function: directions are unit vectors; alpha > 0, tested from 1e-4 to 10 at
-// ratios up to 1:1000; any u, which is moved into [2^-25, 1 - 2^-24]. An input outside its range
-// (alpha <= 0, a component that is not a number, wi below the horizon) gives the stated fallback
-// and nothing else happens: no function allocates or throws.
+// In every function directions are unit vectors of the shading frame (vec.h), alpha is in the units
+// of the distribution's own definition and densities are per solid angle. alpha > 0 is tested from
+// 1e-4 to 10 at ratios up to 1:1000; any u is moved into [2^-25, 1 - 2^-24]. For an input outside
+// its range (alpha <= 0, a component that is not a number, wi below the horizon) each function
+// returns the fallback that it states; no function allocates or throws. How far the sampled
+// distribution is from the exact one is in the certificate of its tables (certificate.h).
 #pragma once
 
 #include <optional>
@@ -20,7 +23,7 @@ namespace kernel {
 #include "vndf/kernel_text.h"
 }  // namespace kernel
 
-/// Smallest dot(wi, wm) of a sampled normal: rounding; the exact value is never negative.
+/// Largest -dot(wi, wm) that rounding can leave on a sampled normal, whose exact value is >= 0.
 inline constexpr float kKernelFacingSlack = 4 * 0x1p-23f;
 
 /// Largest difference of the length of a sampled normal from 1.
@@ -28,32 +31,35 @@ inline constexpr float kKernelLengthSlack = 4 * 0x1p-23f;
 
 class Kernel;
 
-/// One direction and roughness, the result of step 1 of Algorithm 4, from which many normals are
-/// drawn: Kernel::sample(wi, alpha, u1, u2) is at(wi, alpha).sample(u1, u2), bit for bit.
+/// A kernel after step 1 of Algorithm 4, which depends on the direction and roughness alone, for
+/// many normals seen from one direction: at(wi, alpha).sample(u1, u2) is Kernel::sample(wi, alpha,
+/// u1, u2) bit for bit.
 class KernelDirection {
  public:
-  /// Draws a normal as Kernel::sample() does.
+  /// Draws a normal, as Kernel::sample() does.
   Vec3<float> sample(float u1, float u2) const noexcept {
     return kernel::vndf_sample(tables_, direction_, u1, u2);
   }
-  /// The normal of sample(), with the density of the map there (Kernel::sample_with_density()).
+  /// Draws a normal with its density, as Kernel::sample_with_density() does.
   SampledNormal<float> sample_with_density(float u1, float u2) const noexcept {
     const auto sampled = kernel::vndf_sample_with_density(tables_, direction_, u1, u2);
     return {sampled.wm, sampled.pdf};
   }
 
-  const kernel::VndfDirection& direction() const { return direction_; }
-  /// Those of its kernel.
-  const kernel::VndfTables& tables() const { return tables_; }
+  /// What batches and other languages need of it: arguments of vndf_sample().
+  struct View {
+    const kernel::VndfTables& tables;
+    const kernel::VndfDirection& direction;
+  };
+  View view() const { return {tables_, direction_}; }
 
  private:
   friend class Kernel;
   KernelDirection(const kernel::VndfTables& tables, const Vec3<float>& wi,
                   const Alpha<float>& alpha) noexcept
-
       : tables_(tables), direction_(kernel::vndf_at(tables, wi, alpha.x, alpha.y)) {}
 
-  // A copy, so that it stays in registers while normals are written.
+  // A copy, because normals that are written might change what a reference refers to.
   kernel::VndfTables tables_;
   kernel::VndfDirection direction_;
 };
@@ -63,13 +69,15 @@ class Kernel {
   using Scalar = float;
   static constexpr bool kVisible = true;
 
-  /// For KernelTables, which has checked that nothing is read outside the block.
+  /// For KernelTables::kernel(), which knows that nothing is read outside the block.
   explicit Kernel(const kernel::VndfTables& tables) : tables_(tables) {}
 
-  /// The view itself, for batches and for other devices.
+  /// What batches and other languages need of it: the first argument of every function of
+  /// kernel_text.h.
   const kernel::VndfTables& tables() const { return tables_; }
 
-  /// Step 1: `wi` stretched.
+  /// Step 1: the direction `wi`, stretched, from which many normals can be drawn. Any input is
+  /// accepted; the functions of the result then return their fallbacks.
   KernelDirection at(const Vec3<float>& wi, const Alpha<float>& alpha) const noexcept {
     return {tables_, wi, alpha};
   }
@@ -83,21 +91,23 @@ class Kernel {
     return kernel::vndf_sample_towards(tables_, wi, alpha.x, alpha.y, u1, u2);
   }
 
-  /// The normal of sample(), with the density of the map there: the reciprocal of its Jacobian. The
-  /// mean of f(wm) / pdf is the integral of f over the normals that the map reaches, with no error
-  /// of the tables. pdf is >= 0 and finite; 0 for an input outside its range; the largest number
-  /// where many u give one normal, so that such u weigh nothing.
+  /// The normal of sample() with the density that the map has there, the reciprocal of its
+  /// Jacobian. An estimate that divides by this density rather than by pdf() has no error of the
+  /// tables: the mean of f(wm) / density is the integral of f over the normals that the map
+  /// reaches. The density is >= 0 and finite; 0 for an input outside its range. Where many u give
+  /// the same normal it is the largest finite number, and those samples get negligible weight.
   SampledNormal<float> sample_with_density(const Vec3<float>& wi, const Alpha<float>& alpha,
                                            float u1, float u2) const noexcept {
     return at(wi, alpha).sample_with_density(u1, u2);
   }
 
-  /// The (u1, u2) for which sample() gives `wm`; nothing where there is none or an input is outside
-  /// its range.
+  /// Inverse of sample(): the (u1, u2) that give `wm`, one of them where many do. Returns nothing
+  /// where there is none, to kVndfRangeSlack, or where an input is outside its range. It bisects,
+  /// and takes about 60 times as long as sample().
   std::optional<Vec2<float>> invert(const Vec3<float>& wi, const Vec3<float>& wm,
                                     const Alpha<float>& alpha) const noexcept {
     if (!kernel::vndf_valid(wi, alpha.x, alpha.y) || !(wm.z > 0.0f)) return {};
-    const auto inverse = kernel::vndf_invert(tables_, at(wi, alpha).direction(), wm);
+    const auto inverse = kernel::vndf_invert(tables_, at(wi, alpha).direction_, wm);
     if (!inverse.found) return {};
     return Vec2<float>{inverse.u1, inverse.u2};
   }
@@ -117,9 +127,8 @@ class Kernel {
     return kernel::vndf_g1(tables_, w, alpha.x, alpha.y);
   }
 
-  /// Density of the exact law per solid angle, D_wi(wm) = dot(wi, wm)+ D(wm) / (wi.z (1 +
-  /// Lambda(wi))) (Heitz and d'Eon 2014, equation 2), finite up to the horizon; 0 for an input
-  /// outside its range.
+  /// Density of the exact distribution per solid angle, D_wi(wm) = dot(wi, wm)+ D(wm) / (wi.z (1 +
+  /// Lambda(wi))) (equation 2), finite up to the horizon; 0 for an input outside its range.
   float pdf(const Vec3<float>& wi, const Vec3<float>& wm,
             const Alpha<float>& alpha) const noexcept {
     return kernel::vndf_pdf(tables_, wi, wm, alpha.x, alpha.y);

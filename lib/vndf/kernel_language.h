@@ -1,8 +1,9 @@
-// What kernel_text.h is written in, for C++ (and CUDA): a vector of four floats, bit casts, and
-// fetches from the block of tables, each under a name that another language can give to its own.
-// Compiler vectors are used where there are any and VNDF_PORTABLE is not defined; the portable
-// struct computes the same bits, operation by operation. It is to be defined for a whole program or
-// not at all: functions of both kinds have the same names.
+// The names in which kernel_text.h is written, for C++ and CUDA: vectors of four, bit casts and
+// fetches from the block of tables. Another language gives the same names to its own.
+//
+// Compiler vectors are used where there are any, unless VNDF_PORTABLE is defined. The portable
+// struct computes the same bits, operation by operation. Define VNDF_PORTABLE for a whole program
+// or not at all, because functions of both kinds have the same names.
 #pragma once
 
 #include <bit>
@@ -29,24 +30,23 @@
 #define VNDF_FUNCTION inline
 #endif
 
-/// A function that is called, not put in place, so that it does not take registers from what is
-/// beside it. It is pure: what it reads does not escape to where stores might change it.
+/// A function that is called and not put in place, so that it takes no registers from its callers.
+/// It is pure, which tells compilers that no store can change what it reads.
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define VNDF_APART_FUNCTION [[gnu::noinline, gnu::pure]] inline
 #else
 #define VNDF_APART_FUNCTION VNDF_FUNCTION
 #endif
 
-/// A function that is seldom called and must not make its callers larger.
+/// A function that is seldom called and must not enlarge its callers.
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define VNDF_COLD_FUNCTION [[gnu::noinline, gnu::cold]] inline
 #else
 #define VNDF_COLD_FUNCTION VNDF_FUNCTION
 #endif
 
-/// A parameter that a function reads and one that it changes.
+/// A parameter that a function reads.
 #define VNDF_IN(type) const type&
-#define VNDF_INOUT(type) type&
 /// A condition that hardly ever holds.
 #define VNDF_RARELY(condition) (condition) [[unlikely]]
 
@@ -132,7 +132,7 @@ VNDF_FUNCTION float magnitude(float a) {
   return std::fabs(a);
 }
 
-// Each returns its second argument where one of the two is no number.
+// Each returns its second argument if one of the two is not a number.
 #if VNDF_SSE && defined(__AVX__)
 VNDF_FUNCTION float smaller(float a, float b) {
   __asm__("vminss %1, %0, %0" : "+x"(a) : "x"(b));
@@ -259,12 +259,12 @@ VNDF_FUNCTION uint4 operator^(const uint4& a, const uint4& b) {
 }
 #endif
 
-/// The bytes of the tables, of which all but the header is fetched by its distance from the first.
+/// The bytes of the tables. Fetches give the distance from the first of them.
 struct Block {
   const unsigned char* bytes;
 };
 
-/// Where a cell of an axis begins and where its coefficients are: an entry of a guide.
+/// An entry of a guide: where a cell of an axis begins, and where its coefficients are.
 struct Guide {
   float start;
   uint offset;

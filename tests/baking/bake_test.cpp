@@ -39,7 +39,7 @@ std::vector<float> hard_numbers() {
 }
 
 kernel::VndfDirection direction(const Kernel& kernel, double theta) {
-  return kernel::vndf_at(kernel.tables(), direction_at<float>(theta), 1, 1);
+  return kernel.at(direction_at<float>(theta), {1, 1}).view().direction;
 }
 
 /// The largest difference in u from the pair, of normals drawn at `theta`; the pair's own inverse
@@ -82,14 +82,14 @@ TEST_CASE("a smaller tolerance takes more bytes") {
   CHECK(bytes(1e-4) > bytes(1e-2));
 }
 
-TEST_CASE("what does not fit the bytes is refused, with what would fit") {
+TEST_CASE("what does not fit the bytes is an error that says what would fit") {
   const SlopeTables& pair = *small_tables("ggx").tables;
   const std::size_t needed = bake(pair, {.tolerance = 1e-2}).sampling_bytes();
   CHECK_NOTHROW(bake(pair, {.tolerance = 1e-2, .max_bytes = needed}));
   CHECK_THROWS_AS(bake(pair, {.tolerance = 1e-2, .max_bytes = 64}), BakeError);
 }
 
-TEST_CASE("a tolerance outside its range is refused") {
+TEST_CASE("a tolerance outside its range is an error") {
   const SlopeTables& pair = *small_tables("ggx").tables;
   for (const double tolerance : {0.0, -1e-5, 1e-7, 0.1, std::nan("")})
     CHECK_THROWS_AS(bake(pair, {.tolerance = tolerance}), std::invalid_argument);

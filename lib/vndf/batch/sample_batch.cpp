@@ -111,7 +111,8 @@ void sample_batch(const KernelDirection& direction, std::span<const float> u1,
                   std::span<const float> u2, const NormalSpans& wm) {
   using namespace batch;
   Samples samples = samples_of(u1, u2, wm);
-  HWY_DYNAMIC_DISPATCH(sample_direction)(direction.tables(), direction.direction(), samples);
+  const auto [tables, stretched] = direction.view();
+  HWY_DYNAMIC_DISPATCH(sample_direction)(tables, stretched, samples);
 }
 
 }  // namespace vndf

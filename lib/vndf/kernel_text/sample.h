@@ -1,0 +1,198 @@
+// Part 2 of kernel_text.h: Algorithm 4 of Heitz and d'Eon 2014, step by step.
+
+// 1. stretch
+
+/// The stretched direction (x, y, z) next to the pole, scaled so that its digits are kept and h is
+/// 1, and `alpha`. Only the zero vector has no azimuth, and 0 stands for it. For an input outside
+/// its range the last component is not a number; with that as alpha all samples are (0, 0, 1). It
+/// stands apart because it is seldom needed.
+VNDF_COLD_FUNCTION float4 vndf_stretched_unusual(float x, float y, float z, float alpha) {
+  float size = larger(larger(x, -x), larger(y, -y));
+  bool valid = z >= 0.0f && alpha > 0.0f && x - x == 0.0f && y - y == 0.0f;
+  float a = size > 0.0f ? x / size : 1.0f;
+  float b = size > 0.0f ? y / size : 0.0f;
+  float h = square_root(a * a + b * b);
+  float most = 1e9f;
+  if (!valid) return make4(1.0f, 0.0f, 0.0f, float_of(0x7fc00000u));
+  float cotangent = size > 0.0f ? smaller(z / (size * h), most) : most;
+  return make4(a / h, b / h, cotangent, alpha);
+}
+
+/// Step 1: the direction `wi` stretched by alpha, and its row of patches.
+VNDF_FUNCTION VndfDirection vndf_at(VNDF_IN(VndfTables) t, vec3 wi, float alpha_x, float alpha_y) {
+  VndfDirection d;
+  d.alpha_x = alpha_x;
+  d.alpha_y = alpha_y;
+  d.x = alpha_x * wi.x;
+  d.y = alpha_y * wi.y;
+  d.z = wi.z;
+  d.h2 = d.x * d.x + d.y * d.y;
+  float alpha = smaller(alpha_x, alpha_y);
+  bool usual = vndf_within(d.h2, kVndfShortest, kVndfLongest) && d.z >= 0.0f && alpha > 0.0f;
+  if VNDF_RARELY (!usual) {
+    float4 scaled = vndf_stretched_unusual(d.x, d.y, d.z, alpha);
+    d.x = scaled[0];
+    d.y = scaled[1];
+    d.z = scaled[2];
+    d.h2 = 1.0f;
+    d.alpha_x = scaled[3] == alpha ? alpha_x : scaled[3];
+  }
+  d.hu = square_root(d.h2) * t.unit;
+  float g = d.hu / (d.hu + d.z);
+  VndfCell row = vndf_cell(t, t.direction_guide, t.direction_shift, g + t.direction_offset);
+  d.g = row.f;
+  d.row = row.offset;
+  return d;
+}
+
+// 2. sample the slope of the stretched configuration
+
+/// The root of sigma within its bounds.
+VNDF_FUNCTION float vndf_between(VNDF_IN(VndfTables) t, float root) {
+  return smaller(larger(root, t.least_root), t.most_root);
+}
+
+/// The place of s on the axis of slope x.
+VNDF_FUNCTION float vndf_slope_place(VNDF_IN(VndfTables) t, float s) {
+  float w = t.slope_middle - s;
+  float p = smaller(magnitude(w) + t.slope_offset, t.slope_most);
+  return float_of(bits_of(p) + ((0u - (bits_of(w) >> 31)) & t.slope_upper));
+}
+
+/// sqrt(2 |q|) + the offset of columns, with the sign of q.
+VNDF_FUNCTION float4 vndf_root_columns(VNDF_IN(VndfTables) t, float4 q) {
+  uint4 signs = bits_of(q) & make_uint4(kVndfSign, kVndfSign, kVndfSign, kVndfSign);
+  float4 roots = square_root(floats_of(bits_of(q + q) ^ signs));
+  float4 offset = make4(t.column_offset, t.column_offset, t.column_offset, t.column_offset);
+  return floats_of(bits_of(roots + offset) ^ signs);
+}
+
+/// The bits of the places, of which those of u2 are mirrored beyond the middle of their axis.
+VNDF_FUNCTION uint4 vndf_mirrored(VNDF_IN(VndfTables) t, float4 places) {
+  float4 span = make4(kVndfLargest, kVndfLargest, t.column_span, t.column_span);
+  float4 mirror = span - places;
+  uint4 added = make_uint4(0u, 0u, t.column_mirror, t.column_mirror);
+  return bits_of(smaller(places, mirror)) + (sign_mask(mirror - places) & added);
+}
+
+VNDF_FUNCTION bool vndf_separable(VNDF_IN(VndfTables) t, uint kind) {
+  return kind == kVndfPlain || (kind == kVndfAny && t.separable != 0u);
+}
+
+/// Step 2 for one kind of tables: 2.a slope x for u1, 2.b slope y for u2 given slope x. Both u are
+/// worked on side by side, in two lanes each, up to their cells.
+VNDF_FUNCTION VndfDraw vndf_draw_as(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) d, float u1,
+                                    float u2, uint kind) {
+  VndfDraw draw;
+  // Adding and taking away 1.5 x 2^23 rounds to a whole number: q = u below one half, u - 1 above.
+  float4 whole = make4(12582912.0f, 12582912.0f, 12582912.0f, 12582912.0f);
+  float4 least = make4(kVndfLeastU, kVndfLeastU, kVndfLeastU, kVndfLeastU);
+  float4 most = make4(kVndfMostU, kVndfMostU, kVndfMostU, kVndfMostU);
+  float4 u = smaller(larger(make4(u1, u1, u2, u2), least), most);
+  float4 q = u - ((u + whole) - whole);
+  draw.upper = sign_mask(q);
+  if (kind == kVndfAny && t.column_roots != 0u) q = vndf_root_columns(t, q);
+  uint4 halves = make_uint4(t.column_upper, t.column_upper, kVndfSign, kVndfSign);
+  uint4 places = bits_of(q) + (draw.upper & halves);
+  if (!vndf_separable(t, kind)) places = vndf_mirrored(t, floats_of(places));
+  draw.places = floats_of(places);
+  uint4 keys = places >> t.column_shift;
+  Guide column1 = fetch_guide(t.block, t.marginal_guide + (keys[0] << 3));
+  Guide column2 = fetch_guide(t.block, t.conditional_guide + (keys[2] << 3));
+  draw.f = draw.places - make4(column1.start, column1.start, column2.start, column2.start);
+  draw.marginal = vndf_blend(t, column1.offset + d.row, d.g);
+  float4 values;
+  if (vndf_separable(t, kind)) {
+    draw.conditional = fetch4(t.block, column2.offset, 0u);
+    values = vndf_values(draw.marginal, draw.conditional, draw.f);
+    draw.root = vndf_between(t, values[0]);
+  } else {
+    draw.s = vndf_values(draw.marginal, draw.marginal, draw.f)[0];
+    float place = vndf_slope_place(t, draw.s);
+    uint entry = t.slope_guide + ((bits_of(place) >> t.slope_shift) << 4);
+    Guide map = fetch_guide(t.block, entry), row = fetch_guide(t.block, entry + 8u);
+    draw.map = fetch4(t.block, map.offset, 0u);
+    draw.map_f = place - map.start;
+    draw.root = vndf_between(t, vndf_value(draw.map, draw.map_f));
+    draw.conditional = vndf_blend(t, column2.offset + row.offset, place - row.start);
+    values = vndf_values(draw.marginal, draw.conditional, draw.f);
+  }
+  uint4 signs = draw.upper & make_uint4(0u, 0u, kVndfSign, kVndfSign);
+  draw.v = floats_of(bits_of(values) ^ signs)[2];
+  return draw;
+}
+
+/// The scale of slope y at `sigma`, times d, for one kind of tables.
+VNDF_FUNCTION float vndf_scale_as(VNDF_IN(VndfTables) t, float sigma, float d, uint kind) {
+  if (kind == kVndfAny && t.rim > 0.0f) {
+    float m = sigma - 0.5f, edge = t.rim * d;
+    return square_root(larger((edge - m) * (edge + m), 0.0f));
+  }
+  return t.scale_root * (0.5f - d) + t.scale_constant * d;
+}
+
+/// Step 2, and the scale of slope y, for any tables.
+VNDF_FUNCTION VndfDraw vndf_draw(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) d, float u1,
+                                 float u2) {
+  return vndf_draw_as(t, d, u1, u2, kVndfAny);
+}
+VNDF_FUNCTION float vndf_scale(VNDF_IN(VndfTables) t, float sigma, float d) {
+  return vndf_scale_as(t, sigma, d, kVndfAny);
+}
+
+// 3. rotate, 4. unstretch, 5. compute the normal
+
+/// Steps 3 and 4: the normal of the slope, of any length. It is multiplied by d h^2, by which all
+/// divisions of the slope are avoided.
+VNDF_FUNCTION vec3 vndf_unstretched(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w, float sigma,
+                                    float v, uint kind) {
+  float d = sigma * (1.0f - sigma);
+  // Minus slope x, times d h U. Slope x is at most the cotangent z / h, beyond which no facet is
+  // seen.
+  float x = larger((0.5f - sigma) * w.hu, -(d * w.z));
+  float y = vndf_scale_as(t, sigma, d, kind) * v * w.hu;
+  return make3(w.alpha_x * (w.x * x + w.y * y), w.alpha_y * (w.y * x - w.x * y), d * w.h2);
+}
+
+/// Step 5: the unit normal; (0, 0, 1) for a vector that has none.
+VNDF_FUNCTION vec3 vndf_unit_or_up(vec3 m) {
+  float square = m.x * m.x + m.y * m.y + m.z * m.z;
+  float scale = 1.0f / square_root(square);
+  if VNDF_RARELY (!vndf_within(square, kVndfLeast, kVndfLargest)) return make3(0.0f, 0.0f, 1.0f);
+  return make3(m.x * scale, m.y * scale, m.z * scale);
+}
+
+/// Steps 2 to 5 for one kind of tables.
+VNDF_FUNCTION vec3 vndf_sample_as(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w, float u1,
+                                  float u2, uint kind) {
+  VndfDraw draw = vndf_draw_as(t, w, u1, u2, kind);
+  return vndf_unit_or_up(vndf_unstretched(t, w, draw.root * draw.root, draw.v, kind));
+}
+
+// Only the sampler of plain tables is put in place. Beside it the other one would take registers
+// from it, and is a function that is called.
+
+VNDF_APART_FUNCTION vec3 vndf_sample_any(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w, float u1,
+                                         float u2) {
+  return vndf_sample_as(t, w, u1, u2, kVndfAny);
+}
+
+/// Steps 2 to 5: a normal for a direction that is stretched already.
+VNDF_FUNCTION vec3 vndf_sample(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w, float u1,
+                               float u2) {
+  if (t.kind == kVndfPlain) return vndf_sample_as(t, w, u1, u2, kVndfPlain);
+  return vndf_sample_any(t, w, u1, u2);
+}
+
+VNDF_APART_FUNCTION vec3 vndf_sample_towards_any(VNDF_IN(VndfTables) t, VNDF_IN(vec3) wi,
+                                                 float alpha_x, float alpha_y, float u1, float u2) {
+  return vndf_sample_as(t, vndf_at(t, wi, alpha_x, alpha_y), u1, u2, kVndfAny);
+}
+
+/// Steps 1 to 5: a normal seen from `wi`.
+VNDF_FUNCTION vec3 vndf_sample_towards(VNDF_IN(VndfTables) t, VNDF_IN(vec3) wi, float alpha_x,
+                                       float alpha_y, float u1, float u2) {
+  if (t.kind == kVndfPlain)
+    return vndf_sample_as(t, vndf_at(t, wi, alpha_x, alpha_y), u1, u2, kVndfPlain);
+  return vndf_sample_towards_any(t, wi, alpha_x, alpha_y, u1, u2);
+}
