@@ -268,6 +268,26 @@ std::string digits_of(double number) {
   return text.data();
 }
 
+/// The error that names the file at `path`.
+KernelTablesError error_in(const std::filesystem::path& path, const std::string& rule) {
+  return KernelTablesError(path.string() + ": " + rule);
+}
+
+/// The bytes of the file at `path`.
+std::vector<char> bytes_of(const std::filesystem::path& path) {
+  std::error_code error;
+  const auto size = std::filesystem::file_size(path, error);
+  if (error)
+    throw error_in(path, "cannot be read (" + error.message() + "); give a file of baked tables");
+  if (size > kMostBytes)
+    throw error_in(path, "too large for baked tables; give a file of baked tables");
+  std::vector<char> bytes(size);
+  std::ifstream file(path, std::ios::binary);
+  if (!file.read(bytes.data(), static_cast<std::streamsize>(size)))
+    throw error_in(path, "cannot be read; give a file of baked tables");
+  return bytes;
+}
+
 /// The texts in their order in a block, each of which `text` keeps.
 template <class Text>
 auto parts_of(Text& text) {
@@ -443,8 +463,8 @@ void save(const std::filesystem::path& path, const KernelTables& tables) {
   const auto fail_with = [&](const std::string& why) {
     std::error_code ignored;
     std::filesystem::remove(temporary, ignored);
-    throw KernelTablesError(path.string() + ": cannot be written (" + why +
-                            "); give a name in a folder that can be written to");
+    throw error_in(
+        path, "cannot be written (" + why + "); give a name in a folder that can be written to");
   };
   std::ofstream file(temporary, std::ios::binary);
   const auto bytes = tables.bytes();
@@ -464,31 +484,21 @@ bool is_kernel_file(const std::filesystem::path& path) {
 }
 
 KernelTables load(const std::filesystem::path& path, const LoadOptions& options) {
-  const auto fail_with = [&](const std::string& why) {
-    throw KernelTablesError(path.string() + ": " + why);
-  };
-  std::error_code error;
-  const auto size = std::filesystem::file_size(path, error);
-  if (error) fail_with("cannot be read (" + error.message() + "); give a file of baked tables");
-  if (size > kMostBytes) fail_with("too large for baked tables; give a file of baked tables");
-  std::vector<char> bytes(size);
-  std::ifstream file(path, std::ios::binary);
-  if (!file.read(bytes.data(), static_cast<std::streamsize>(size)))
-    fail_with("cannot be read; give a file of baked tables");
-  try {
-    KernelTables tables = KernelTables::copy(std::as_bytes(std::span(bytes)));
-    const Certificate c = tables.certificate();
-    const double u_error = std::max(c.marginal.max_u_error, c.conditional.max_u_error);
-    if (!(u_error <= options.max_u_error))
-      fail_with("its certificate admits a u-error of " + digits_of(u_error) + ", above " +
-                digits_of(options.max_u_error) + "; bake it with a smaller --tolerance");
-    return tables;
-  } catch (const KernelTablesError& e) {
-    const std::string what = e.what();
-    if (what.starts_with(path.string())) throw;
-    fail_with(what);
-  }
-  std::abort();
+  const std::vector<char> bytes = bytes_of(path);
+  const auto tables = [&] {
+    try {
+      return KernelTables::copy(std::as_bytes(std::span(bytes)));
+    } catch (const KernelTablesError& e) {
+      throw error_in(path, e.what());
+    }
+  }();
+  const Certificate c = tables.certificate();
+  const double u_error = std::max(c.marginal.max_u_error, c.conditional.max_u_error);
+  if (!(u_error <= options.max_u_error))
+    throw error_in(path, "its certificate admits a u-error of " + digits_of(u_error) + ", above " +
+                             digits_of(options.max_u_error) +
+                             "; bake it with a smaller --tolerance");
+  return tables;
 }
 
 }  // namespace vndf

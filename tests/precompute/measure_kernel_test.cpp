@@ -27,7 +27,7 @@ template <class Change>
 KernelTables changed(const std::string& law, Change change) {
   Block block(baked_tables(law).bytes());
   change(block.header());
-  block.seal();
+  block.set_checksum();
   return KernelTables::copy(block.bytes());
 }
 

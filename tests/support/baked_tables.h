@@ -12,7 +12,7 @@
 
 namespace vndf::test {
 
-/// A sum of two laws, whose slope y given slope x is not the same for all x.
+/// A sum of two distributions, whose slope y given slope x is not the same for all x.
 inline constexpr const char* kMixture = "mixture:0.75*ggx+0.25*beckmann@0.3";
 
 /// Of the tolerance with which the tables of the tests are baked.
@@ -42,7 +42,7 @@ class Block {
 
   KernelHeader& header() { return *reinterpret_cast<KernelHeader*>(data()); }
   /// After all other changes.
-  void seal() { header().checksum = kernel_checksum(bytes()); }
+  void set_checksum() { header().checksum = kernel_checksum(bytes()); }
 
  private:
   struct alignas(kKernelAlignment) Line {

@@ -1,5 +1,5 @@
-// The block of a kernel: what is damaged, cut, foreign or not good enough is refused in words, and
-// what is accepted is never read outside its bytes.
+// The block of a kernel: one that is damaged, cut, foreign or not good enough is an error that
+// names its rule, and one that is accepted is never read outside its bytes.
 #include "vndf/kernel_tables.h"
 
 #include <algorithm>
@@ -55,7 +55,7 @@ bool accepted(std::span<const std::byte> bytes) {
   }
 }
 
-std::string refusal(std::span<const std::byte> bytes) {
+std::string error_of(std::span<const std::byte> bytes) {
   try {
     KernelTables::view(bytes);
   } catch (const KernelTablesError& e) {
@@ -139,7 +139,7 @@ TEST_CASE("samples and texts outside of the rules are neither written nor read")
   const auto reading = [&](auto change) {
     Block block(tables.bytes());
     change(block);
-    block.seal();
+    block.set_checksum();
     return refusal(block.bytes());
   };
   CHECK_THAT(reading([&](Block& b) {
@@ -164,7 +164,7 @@ TEST_CASE("a block that was cut anywhere is refused") {
   CHECK(taken == 0);
 }
 
-TEST_CASE("a block that was cut and sealed again is never read beyond its end") {
+TEST_CASE("a block that was cut and given a right checksum is never read beyond its end") {
   constexpr std::size_t kStep = 16;
   for (std::size_t length = sizeof(KernelHeader); length < smallest().bytes().size();
        length += kStep) {
@@ -172,7 +172,7 @@ TEST_CASE("a block that was cut and sealed again is never read beyond its end") 
     block.header().bytes = length;
     block.header().samples = block.header().text = static_cast<std::uint32_t>(length);
     block.header().sample_count = block.header().text_bytes = 0;
-    block.seal();
+    block.set_checksum();
     accepted(block.bytes());
   }
 }
@@ -191,36 +191,36 @@ TEST_CASE("a change of any byte is found by the checksum") {
   CHECK(accepted(block.bytes()));
 }
 
-TEST_CASE("a header of any bytes under a right checksum is refused or harmless") {
+TEST_CASE("a header of any bytes under a right checksum is an error or harmless") {
   for (const KernelTables* tables : {&smallest(), &smallest_with_rows()}) {
     Block block(tables->bytes());
     for (std::size_t at = 0; at < sizeof(KernelHeader); ++at)
       for (const int change : {1, 2, 4, 8, 0x10, 0x20, 0x40, 0x80, 0xff}) {
         const std::byte kept = block.data()[at];
         block.data()[at] ^= static_cast<std::byte>(change);
-        block.seal();
+        block.set_checksum();
         accepted(block.bytes());
         block.data()[at] = kept;
       }
-    block.seal();
+    block.set_checksum();
     CHECK(accepted(block.bytes()));
   }
 }
 
-TEST_CASE("each refusal names its rule") {
+TEST_CASE("each error_of names its rule") {
   Block block(smallest().bytes());
-  CHECK_THAT(refusal(block.first(20)), contains("shorter than the header"));
-  CHECK_THAT(refusal(block.first(block.size() - 1)), contains("fewer or more"));
+  CHECK_THAT(error_of(block.first(20)), contains("shorter than the header"));
+  CHECK_THAT(error_of(block.first(block.size() - 1)), contains("fewer or more"));
   block.data()[0] ^= std::byte{1};
-  CHECK_THAT(refusal(block.bytes()), contains("not a file of baked tables"));
+  CHECK_THAT(error_of(block.bytes()), contains("not a file of baked tables"));
   block.data()[0] ^= std::byte{1};
   block.header().version = 9;
   CHECK_THAT(refusal(block.bytes()), contains("version 9") && contains("reads 2"));
   block.header().version = kKernelVersion;
   block.header().unit = -1;
-  CHECK_THAT(refusal(block.bytes()), contains("checksum"));
-  block.seal();
-  CHECK_THAT(refusal(block.bytes()), contains("the unit of slopes"));
+  CHECK_THAT(error_of(block.bytes()), contains("checksum"));
+  block.set_checksum();
+  CHECK_THAT(error_of(block.bytes()), contains("the unit of slopes"));
 }
 
 TEST_CASE("a block must begin where vectors can be read") {
@@ -229,11 +229,11 @@ TEST_CASE("a block must begin where vectors can be read") {
   space.insert(space.end(), smallest().bytes().begin(), smallest().bytes().end());
   Block block(space);
   const auto apart = block.bytes().subspan(kApart);
-  CHECK_THAT(refusal(apart), contains("multiple of 64"));
+  CHECK_THAT(error_of(apart), contains("multiple of 64"));
   use(KernelTables::copy(apart).kernel());
 }
 
-TEST_CASE("a file is refused if its certificate admits more than is asked for") {
+TEST_CASE("a file is an error if its certificate admits more than is asked for") {
   Certificate certificate;
   certificate.marginal.max_u_error = 2e-6;
   certificate.conditional.max_u_error = 7e-6;
@@ -244,7 +244,7 @@ TEST_CASE("a file is refused if its certificate admits more than is asked for") 
                         contains("--tolerance"));
 }
 
-TEST_CASE("a file that is none of baked tables is refused by name") {
+TEST_CASE("a file that is none of baked tables is an error by name") {
   CHECK_THROWS_WITH(load("missing.vndf"), contains("missing.vndf: cannot be read"));
   const std::string foreign = "not a block";
   const File file(std::as_bytes(std::span(foreign)));
