@@ -1,25 +1,27 @@
-// The measured errors of one pair of tables, carried in their file. Every figure is of the sampler
+// The measured errors of tables, which their file carries. Every figure is measured of the sampler
 // and the functions as a renderer runs them, in single precision, at points off the table's grid.
 //
-// u-error: |CDF(x(u)) - u|, the Kolmogorov distance of the sampled law from the exact one.
+// A u-error is |CDF(x(u)) - u|, with the exact CDF of the slope x that was sampled for u. Its
+// largest value bounds the Kolmogorov distance of the sampled distribution from the exact one.
 #pragma once
 
 #include <string>
 
 namespace vndf {
 
-/// Sampled over exact mass of a tail, P(CDF < e) / e, at e = 1e-4, 1e-5, 1e-6: of all rows of the
-/// table the ratio farthest from 1.
+/// Sampled mass of a tail over its exact mass, P(CDF < e) / e, at e = 1e-4, 1e-5 and 1e-6. Each is
+/// the ratio farthest from 1 of all rows of the table.
 struct TailRatios {
   double e4 = 1, e5 = 1, e6 = 1;
 };
 
+/// The errors of one of the two slopes.
 struct TableErrors {
   double max_u_error = 0;
-  double mean_u_error =
-      0;  ///< over rows and u, both uniform in the sense of the table's rows and u
-  double worst_row =
-      0;  ///< where the maximum is: theta in degrees, or the slope x, at unit roughness
+  /// Mean over rows and u, both uniform in the table's row coordinate and in u.
+  double mean_u_error = 0;
+  /// Where the maximum is, at unit roughness: theta in degrees, or the slope x.
+  double worst_row = 0;
   double worst_u = 0;
   double max_density_error = 0;  ///< |sampled / exact density - 1|, for u in [1e-6, 1 - 1e-6]
   TailRatios lower, upper;

@@ -1,5 +1,5 @@
-// One piece of an increasing piecewise cubic, with its derivative, inverse and Hermite form: what
-// the rows of tables (table.h), the map of a marginal (monotone_map.h) and curves are made of.
+// One piece of a piecewise cubic, with its derivative, inverse and Hermite form. The rows of tables
+// (table.h), the map of a marginal (monotone_map.h) and curves (log_curve.h) are made of them.
 #pragma once
 
 namespace vndf {
@@ -19,8 +19,8 @@ struct CubicPiece {
 
   T derivative(T f) const { return c1 + f * (T(2) * c2 + f * T(3) * c3); }
 
-  /// f in [0, 1] with at(f) = value, the nearer end for a value outside the piece: Newton's method
-  /// within a bracket that each step narrows.
+  /// Inverse of at(): f in [0, 1], the nearer end for a value outside the piece. Newton's method
+  /// could leave [0, 1] or cycle, and is kept within a bracket that each step narrows.
   T inverse(T value) const {
     T low = T(0), high = T(1), f = T(0.5);
     if (!(value > c0)) return low;

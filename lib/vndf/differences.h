@@ -1,5 +1,5 @@
 // Derivatives from equidistant values, by the polynomial through the nearest of them, and how steep
-// they may be: what the tangents of tables, maps and curves are made of.
+// a monotone cubic may be. The tangents of tables, maps and curves are made of both.
 #pragma once
 
 #include <algorithm>

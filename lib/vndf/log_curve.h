@@ -1,8 +1,9 @@
-// A positive function of one non-negative slope, kept as the logarithm of its values over
-// a = asinh(slope): cubic Hermite in segments, between which it may jump or have a kink. The nodes
-// of a segment are equidistant in t, which can be graded to crowd them at its ends. Outside the
-// segments the function is 0, but an open curve goes on straight beyond the last one: a power tail
-// is continued exactly, a light tail has fallen to nothing.
+// A positive function of one non-negative slope, such as D. A power tail is a straight line in the
+// logarithm over a = asinh(slope), so that is what is kept, as cubic Hermite splines in segments,
+// between which the function may jump or have a kink. The nodes of a segment are equidistant in t,
+// which can be graded to crowd them at its ends. Outside the segments the function is 0; only an
+// open curve goes on straight beyond its last one, which continues a power tail exactly, while a
+// light tail has fallen to nothing there.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,7 @@
-// An increasing map of [0, 1]: a cubic Hermite spline through nodes equidistant in s, whose
-// tangents are limited so that it cannot turn back (Fritsch and Carlson 1980). The marginal table
-// keeps s, and its slopes are decoded through the map.
+// An increasing map of [0, 1], through which the values of the marginal table are decoded:
+// quantiles of slope x have cusps and corners, and in s, of which the map makes them, they are
+// smooth. It is a cubic Hermite spline through nodes equidistant in s, whose tangents are limited
+// so that it cannot turn back (Fritsch and Carlson 1980).
 #pragma once
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace vndf {
 
 class MonotoneMap {
  public:
-  /// At least two nodes. Values begin at 0 and never decrease; tangents are >= 0 and at most
+  /// Takes two nodes or more. Values begin at 0 and never decrease; tangents are >= 0 and at most
   /// kSteepest times the rise to either neighbour, which is enough for the map to increase.
   explicit MonotoneMap(const std::vector<CubicNode<double>>& nodes) {
     for (std::size_t k = 0; k + 1 < nodes.size(); ++k)

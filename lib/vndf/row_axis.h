@@ -1,6 +1,7 @@
-// Where the rows of a table lie: a monotone piecewise linear map from the base coordinate of
-// table_coordinates.h to the row coordinate, both in [0, 1]. It crowds rows where a table changes
-// fast: at the edge of a compact distribution, around a kink, at both scales of a mixture.
+// Where the rows of a table lie. Rows must be crowded where a table changes fast: at the edge of a
+// compact distribution, around a kink, at both scales of a mixture. The axis is a monotone
+// piecewise linear map from the base coordinate of table_coordinates.h to the row coordinate, both
+// in [0, 1].
 #pragma once
 
 #include <algorithm>
@@ -15,9 +16,9 @@ struct RowKnot {
 
 class RowAxis {
  public:
-  /// Knots that increase in both coordinates; the first row is 0 and the last 1. A base coordinate
-  /// outside them goes to the nearer end. No knots: the identity, rows equidistant in the base
-  /// coordinate.
+  /// Takes knots that increase in both coordinates, from row 0 to row 1. A base coordinate outside
+  /// them goes to the nearer end. Without knots the axis is the identity, and rows are equidistant
+  /// in the base coordinate.
   explicit RowAxis(std::vector<RowKnot> knots) : knots_(std::move(knots)) {}
 
   /// Row coordinate at a base coordinate.

@@ -1,6 +1,6 @@
-// The smaller and the larger of two numbers, by value. std::min and std::max work on references,
-// from which compilers make jumps that random numbers mispredict; these become one instruction.
-// Where one argument is not a number, both return the second.
+// The smaller and the larger of two numbers, by value. Of std::min and std::max, which work on
+// references, compilers make jumps that random numbers mispredict; of these they make one
+// instruction. If one argument is not a number, both return the second.
 #pragma once
 
 namespace vndf {

@@ -1,6 +1,7 @@
-// The steps around every sampler of a shape-invariant distribution (Heitz and d'Eon 2014,
-// Algorithm 4): the incident direction is stretched by alpha to unit roughness (step 1); the slope
-// sampled there is rotated to its azimuth, unstretched and turned into a normal (steps 3 to 5).
+// The steps of Algorithm 4 (Heitz and d'Eon 2014) that are the same for every shape-invariant
+// distribution, because roughness only stretches it. Step 1 stretches the incident direction by
+// alpha to unit roughness; the slope that is sampled there is rotated to the azimuth of the
+// direction (3), unstretched (4) and turned into a normal (5).
 #pragma once
 
 #include <algorithm>
@@ -12,17 +13,18 @@
 
 namespace vndf {
 
-/// Smallest dot(wi, wm) that rounding can leave on a sampled normal, whose exact value is >= 0.
+/// Largest -dot(wi, wm) that rounding can leave on a sampled normal, whose exact value is >= 0.
 template <class T>
 inline constexpr T kFacingSlack = T(4) * std::numeric_limits<T>::epsilon();
 
-/// A slope in the frame of the stretched incident direction, (x / w, y / w), w >= 0.
+/// The slope (x / w, y / w), w >= 0, in the frame of the stretched incident direction. It has no
+/// division, and so does not overflow where slopes are infinite.
 template <class T>
 struct HomogeneousSlope {
   T x, y, w;
 };
 
-/// The slope (x, y), of which one or both may be infinite.
+/// The homogeneous form of (x, y), one or both of which may be infinite.
 template <class T>
 HomogeneousSlope<T> homogeneous_slope(T x, T y) {
   if (std::isinf(x) || std::isinf(y)) {
@@ -36,7 +38,7 @@ HomogeneousSlope<T> homogeneous_slope(T x, T y) {
 /// Whether `w` is a direction on or above the horizon and `alpha` a roughness.
 template <class T>
 bool valid(const Vec3<T>& w, const Alpha<T>& alpha) {
-  // What is infinite or no number makes the sum so.
+  // The sum is infinite or not a number if any of its terms is.
   const T sum = std::abs(w.x) + std::abs(w.y) + alpha.x + alpha.y;
   return w.z >= T(0) && alpha.x > T(0) && alpha.y > T(0) && sum <= std::numeric_limits<T>::max();
 }
@@ -47,9 +49,9 @@ struct Azimuth {
   T cos, sin, length;
 };
 
-/// The azimuth of a vector too short to square, which is scaled up first: the map of a sampler is
-/// continuous along every azimuth up to the pole. Only the zero vector has none, and 0 stands for
-/// it. Apart, so that azimuth() is short where it is inlined.
+/// The azimuth of a vector too short to square, which is scaled up first, because the map of a
+/// sampler is continuous along every azimuth up to the pole. Only the zero vector has none, and 0
+/// stands for it. The function stands apart so that azimuth() is short where it is inlined.
 template <class T>
 [[gnu::noinline, gnu::cold]] Azimuth<T> azimuth_near_pole(T x, T y) {
   constexpr T kScale = T(1e18);
@@ -58,6 +60,7 @@ template <class T>
   return {x * kScale / length, y * kScale / length, length / kScale};
 }
 
+/// Step 1: azimuth and length of the horizontal part of a stretched direction.
 template <class T>
 Azimuth<T> azimuth(T x, T y) {
   constexpr T kTooShort = T(1e-30);

@@ -10,8 +10,9 @@ namespace vndf {
 
 std::vector<CubicNode<double>> nodes_of_row(const double* values, std::size_t count) {
   const auto at = [values](std::size_t k) { return values[k]; };
-  // What begins like t^2, with differences of 1 to 3, as |y| does, has no slope at its first value.
-  // The quartic says so only to rounding, which is all the density there.
+  // A row that begins like t^2, as |y| does, has first differences of 1 to 3 and no slope at its
+  // first value. The quartic gives 0 there only to rounding, and the density would be made of that
+  // rounding.
   const bool begins_flat = at(1) - at(0) <= (at(2) - at(1)) / 2;
   const auto tangent = [&](std::size_t i) {
     if (i == 0 && begins_flat) return 0.0;
@@ -59,9 +60,9 @@ std::vector<double> QuantileTable::row_values(std::size_t i) const {
 WithDerivative<double> QuantileTable::lookup_with_derivative(double row, double column) const {
   const Cell<double> c = cell_of(column, columns_);
   const CubicPiece<double> cubic = piece(cell_of(row, rows_), c.index);
-  const double w = cubic.at(c.fraction), held = std::clamp(w, 0.0, 1.0);
+  const double w = cubic.at(c.fraction), clamped = std::clamp(w, 0.0, 1.0);
   const double slope = static_cast<double>(columns_ - 1) * cubic.derivative(c.fraction);
-  return {held, w == held ? slope : 0.0};
+  return {clamped, w == clamped ? slope : 0.0};
 }
 
 double QuantileTable::inverse(double row, double value) const {
@@ -75,7 +76,8 @@ double QuantileTable::inverse(double row, double value) const {
          static_cast<double>(columns_ - 1);
 }
 
-/// The nodes of two rows are blended, not what becomes of them: one cubic instead of two.
+/// Nodes are blended between two rows, and not the cubics through them, which takes one cubic
+/// instead of two and gives the same.
 CubicPiece<double> QuantileTable::piece(const Cell<double>& r, std::size_t index) const {
   const CubicNode<double>*low = row(r.index) + index, *high = row(r.index + 1) + index;
   const auto blended = [&](std::size_t k) {

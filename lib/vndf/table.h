@@ -1,9 +1,10 @@
 // One table of quantiles and its lookup: linear between rows, monotone cubic along a row (Fritsch
-// and Carlson 1980). A row is an increasing sequence of values in [0, 1]; the interpolant is
-// increasing too, with a continuous derivative, so the sampled density has no steps. Between rows
-// it stays so, for a mean of increasing cubics increases.
+// and Carlson 1980). A row is an increasing sequence of values in [0, 1]. Its interpolant increases
+// too, so that the map of a sampler can be inverted, and has a continuous derivative, so that the
+// sampled density has no steps. Between rows both stay true, because a mean of increasing cubics
+// increases.
 //
-// Tables are read in double precision whatever that of their values, for rounding would err by as
+// Lookups are in double precision, whatever that of the values, because rounding would err by as
 // much as interpolation does.
 #pragma once
 
@@ -47,10 +48,11 @@ class QuantileTable {
   QuantileTable() = default;
 
   /// `values` holds `rows` rows of `columns` values. Throws std::invalid_argument unless rows >= 2,
-  /// columns >= kFewestColumns and the sizes agree; the values themselves are judged by check().
+  /// columns >= kFewestColumns and the sizes agree; check() (slope_tables.h) has the rules for the
+  /// values.
   QuantileTable(std::size_t rows, std::size_t columns, const std::vector<float>& values);
 
-  /// The same with values in double precision.
+  /// The same for values in double precision, which the table says of itself.
   static QuantileTable with_double_values(std::size_t rows, std::size_t columns,
                                           const std::vector<double>& values);
 
@@ -68,7 +70,7 @@ class QuantileTable {
     return lookup_with_derivative(row, column).value;
   }
 
-  /// lookup() with its derivative by the column coordinate; 0 where the value is held at 0 or 1.
+  /// lookup() with its derivative by the column coordinate; 0 where the value is clamped to 0 or 1.
   WithDerivative<double> lookup_with_derivative(double row, double column) const;
 
   /// Column coordinate at which lookup() gives `value`, to a few roundings of 1 over the

@@ -1,5 +1,6 @@
-// The coordinates of the two tables and their inverses, written once for the builder, the sampler
-// and the certificate. Slopes are in units of the mean slope mu = E|X|, so that c = cot(theta) /
+// The coordinates of the two tables, each beside its inverse, written once for the builder, the
+// sampler and the certificate. They are the same for every distribution; pair_coordinates.h adds
+// what is made for one. Slopes are in units of the mean slope mu = E|X|, so that c = cot(theta) /
 // mu.
 //
 // Everything rests on one bounded form of a slope x,
@@ -52,12 +53,13 @@ struct BoundedSlope {
   T slope() const { return numerator() / denominator(); }
 };
 
+/// The slope of a given sigma.
 template <class T>
 BoundedSlope<T> bounded_from_sigma(T sigma) {
   return {sigma, T(1) - sigma};
 }
 
-/// The same slope for coordinates in double precision, in which tables are read.
+/// The same slope in double precision, in which tables are looked up.
 template <class T>
 BoundedSlope<double> widened(const BoundedSlope<T>& x) {
   return {double{x.sigma}, double{x.complement}};
@@ -73,7 +75,7 @@ BoundedSlope<T> clamp_below(const BoundedSlope<T>& edge, const BoundedSlope<T>& 
 /// The bounded form of any slope, infinite ones included.
 template <class T>
 BoundedSlope<T> bounded_from_slope(T slope) {
-  // For x < 0 the mirrored slope is coded and swapped: tau has no cancellation for x >= 0.
+  // tau has no cancellation for x >= 0. For x < 0 the fields of the mirrored slope are swapped.
   const T tau = std::abs(slope) + std::hypot(T(1), slope);
   const T small = T(1) / (T(1) + tau);
   const T large = std::isinf(tau) ? T(1) : tau * small;
@@ -136,6 +138,7 @@ struct Probability {
   T u, complement;
 };
 
+/// The same probability in double precision, in which tables are looked up.
 template <class T>
 Probability<double> widened(const Probability<T>& p) {
   return {double{p.u}, double{p.complement}};
@@ -187,6 +190,13 @@ FoldedProbability<T> fold(const Probability<T>& u2) {
           std::copysign(T(1), u2.u - T(0.5))};
 }
 
+/// Inverse of fold().
+template <class T>
+T unfold(const FoldedProbability<T>& folded) {
+  const T half = folded.p.complement / T(2);
+  return folded.sign < T(0) ? half : T(1) - half;
+}
+
 /// Column of the conditional table for the probability p of a smaller |y|.
 template <class T>
 T conditional_column(const Probability<T>& p) {
@@ -210,13 +220,6 @@ T conditional_column_rate(T t) {
   const T a = (T(1) - t) * (T(1) - t), b = t * t;
   const T sum = a + b;
   return T(4) * a * (t * (T(1) - t)) / (sum * sum * sum);
-}
-
-/// The probability u2 that fold() folds into `folded`.
-template <class T>
-T unfold(const FoldedProbability<T>& folded) {
-  const T half = folded.p.complement / T(2);
-  return folded.sign < T(0) ? half : T(1) - half;
 }
 
 /// A slope >= 0 as value of the conditional table, v = 2 sigma - 1.

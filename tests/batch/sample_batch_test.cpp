@@ -33,7 +33,7 @@ struct NamedTables {
 const std::vector<NamedTables>& all_kinds_of_tables() {
   static const std::vector<NamedTables> all = [] {
     std::vector<NamedTables> made;
-    for (const auto& [law, kilobytes] :
+    for (const auto& [distribution, kilobytes] :
          std::vector<std::pair<std::string, std::size_t>>{{"ggx", 256},
                                                           {"ggx", 16},
                                                           {"beckmann", 64},
@@ -42,8 +42,8 @@ const std::vector<NamedTables>& all_kinds_of_tables() {
                                                           {"disk", 256},
                                                           {"annulus:inner=0.5", 256}}) {
       const BakeOptions options{.tolerance = 1e-2, .max_bytes = 1024 * kilobytes};
-      made.push_back({law + " in " + std::to_string(kilobytes) + " KiB",
-                      bake(*small_tables(law).tables, options)});
+      made.push_back({distribution + " in " + std::to_string(kilobytes) + " KiB",
+                      bake(*small_tables(distribution).tables, options)});
     }
     return made;
   }();
@@ -53,8 +53,8 @@ const std::vector<NamedTables>& all_kinds_of_tables() {
 /// Runs `f` for tables of every kind on every target.
 void for_each_kernel(const std::function<void(const Kernel&)>& f) {
   for (const auto& [name, tables] : all_kinds_of_tables())
-    for_each_target([&, &law = name, &of = tables](const char* target) {
-      CAPTURE(law, target);
+    for_each_target([&, &distribution = name, &of = tables](const char* target) {
+      CAPTURE(distribution, target);
       f(of.kernel());
     });
 }
@@ -236,7 +236,7 @@ TEST_CASE("a batch of one direction draws what the direction draws, to the last 
   });
 }
 
-TEST_CASE("spans that differ in size are refused by name") {
+TEST_CASE("spans that differ in size are named in an error") {
   const KernelTables& tables = baked_tables(kMixture);
   const std::vector<std::pair<std::string, std::vector<float> BatchArrays::*>> spans{
       {"wi.x", &BatchArrays::wi_x},       {"wi.y", &BatchArrays::wi_y},
@@ -247,15 +247,15 @@ TEST_CASE("spans that differ in size are refused by name") {
   for (const auto& [name, member] : spans) {
     BatchArrays batch = hard_batch(3);
     (batch.*member).pop_back();
-    const auto refusal = contains(name + " has 2 values where wm.x has 3");
-    CHECK_THROWS_WITH(sample(tables.kernel(), batch), refusal);
+    const auto message = contains(name + " has 2 values where wm.x has 3");
+    CHECK_THROWS_WITH(sample(tables.kernel(), batch), message);
     if (name.starts_with("alpha")) continue;
     CHECK_THROWS_WITH(sample_batch(tables.kernel(), batch.wi(), Alpha<float>{1, 1}, batch.u1,
                                    batch.u2, batch.wm()),
-                      refusal);
+                      message);
     if (name.starts_with("wi")) continue;
     CHECK_THROWS_WITH(
         sample_batch(tables.kernel().at({0, 0, 1}, {1, 1}), batch.u1, batch.u2, batch.wm()),
-        refusal);
+        message);
   }
 }

@@ -68,21 +68,21 @@ inline double distance_from_uniform(std::vector<double> numbers) {
 
 /// Two numbers of [0, 1) for k = 0 ... 2^bits - 1, evenly spread (Hammersley): the fraction of them
 /// in a region is its area but for a few times 2^-bits times its border.
-inline Vec2<double> even_pair(std::uint32_t k, int bits) {
+inline Vec2<double> quasi_random_pair(std::uint32_t k, int bits) {
   std::uint32_t reversed = 0;
   for (int b = 0; b < bits; ++b) reversed |= (k >> b & 1u) << (bits - 1 - b);
   return {std::ldexp(k + 0.5, -bits), std::ldexp(reversed + 0.5, -bits)};
 }
 
-/// Kolmogorov distances of the distribution of `sampler` from the exact one, by 2^bits even pairs:
-/// for any map of (u1, u2), monotone or not.
+/// Kolmogorov distances of the distribution of `sampler` from the exact one, by 2^bits quasi-random
+/// pairs: for any map of (u1, u2), monotone or not.
 template <class Forms, class T, class Sampler>
 DistributionErrors distribution_errors(const Sampler& sampler, const Vec3<T>& wi,
                                        const Alpha<T>& alpha, int bits = 18) {
   const VisibleDistribution<Forms> distribution(wi, alpha);
   std::vector<double> first, second;
   for (std::uint32_t k = 0; k < 1u << bits; ++k) {
-    const Vec2<double> u = even_pair(k, bits);
+    const Vec2<double> u = quasi_random_pair(k, bits);
     const auto v =
         distribution(sampler.sample(wi, alpha, static_cast<T>(u.x), static_cast<T>(u.y)));
     first.push_back(v.x);
@@ -139,9 +139,10 @@ DistributionErrors map_errors(const Sampler& sampler, const Vec3<T>& wi, const A
   return worst;
 }
 
-/// The least e such that no more than a fraction e of even pairs (u1, u2) gives slopes whose CDFs
-/// differ from those of `exact` by more than e. The Kolmogorov distance of the two distributions is
-/// at most 2 e. A maximum would be about single pairs: near the horizon a map is not continuous.
+/// The least e such that no more than a fraction e of quasi-random pairs (u1, u2) gives slopes
+/// whose CDFs differ from those of `exact` by more than e. The Kolmogorov distance of the two
+/// distributions is at most 2 e. A maximum would be about single pairs: near the horizon a map is
+/// not continuous.
 template <class Forms, class T, class Sampler, class Exact>
 double rounding_error(const Sampler& sampler, const Exact& exact, const Vec3<T>& wi,
                       const Alpha<T>& alpha) {
@@ -151,7 +152,7 @@ double rounding_error(const Sampler& sampler, const Exact& exact, const Vec3<T>&
   const Alpha<double> a{double{alpha.x}, double{alpha.y}};
   std::vector<double> off;
   for (std::uint32_t k = 0; k < 1u << kBits; ++k) {
-    const Vec2<double> u = even_pair(k, kBits);
+    const Vec2<double> u = quasi_random_pair(k, kBits);
     const T u1 = static_cast<T>(u.x), u2 = static_cast<T>(u.y);
     const auto v = distribution(sampler.sample(wi, alpha, u1, u2));
     const auto e = distribution(exact.sample(w, a, double{u1}, double{u2}));

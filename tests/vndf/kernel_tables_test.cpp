@@ -140,7 +140,7 @@ TEST_CASE("samples and texts outside of the rules are neither written nor read")
     Block block(tables.bytes());
     change(block);
     block.set_checksum();
-    return refusal(block.bytes());
+    return error_of(block.bytes());
   };
   CHECK_THAT(reading([&](Block& b) {
                std::memcpy(b.data() + b.header().samples + 8, &kNan, sizeof kNan);
@@ -156,7 +156,7 @@ TEST_CASE("samples and texts outside of the rules are neither written nor read")
              contains("a text has no end"));
 }
 
-TEST_CASE("a block that was cut anywhere is refused") {
+TEST_CASE("a block that was cut anywhere is an error") {
   Block block(smallest().bytes());
   std::size_t taken = 0;
   for (std::size_t length = 0; length < block.size(); ++length)
@@ -215,7 +215,7 @@ TEST_CASE("each error_of names its rule") {
   CHECK_THAT(error_of(block.bytes()), contains("not a file of baked tables"));
   block.data()[0] ^= std::byte{1};
   block.header().version = 9;
-  CHECK_THAT(refusal(block.bytes()), contains("version 9") && contains("reads 2"));
+  CHECK_THAT(error_of(block.bytes()), contains("version 9") && contains("reads 2"));
   block.header().version = kKernelVersion;
   block.header().unit = -1;
   CHECK_THAT(error_of(block.bytes()), contains("checksum"));

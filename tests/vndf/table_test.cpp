@@ -160,17 +160,17 @@ TEST_CASE("the lookup is continuous across rows and columns") {
     }
 }
 
-TEST_CASE("a table of impossible size is refused") {
-  const auto refused = [](std::size_t rows, std::size_t columns, std::size_t values) {
+TEST_CASE("a table of impossible size is an error") {
+  const auto expect_error = [](std::size_t rows, std::size_t columns, std::size_t values) {
     CAPTURE(rows, columns, values);
     CHECK_THROWS_AS(QuantileTable(rows, columns, std::vector<float>(values)),
                     std::invalid_argument);
   };
-  refused(0, 5, 0);
-  refused(1, 5, 5);
-  refused(2, 4, 8);
-  refused(2, 5, 5);
-  refused(2, 5, 11);
+  expect_error(0, 5, 0);
+  expect_error(1, 5, 5);
+  expect_error(2, 4, 8);
+  expect_error(2, 5, 5);
+  expect_error(2, 5, 11);
 }
 
 TEST_CASE("a table keeps values in the precision that they are given in") {

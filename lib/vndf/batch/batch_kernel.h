@@ -1,4 +1,4 @@
-// What a batch is given, once the sizes are judged: the same for every target.
+// What a batch works on, once the sizes of its spans are checked. It is the same for every target.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ struct Samples {
   Output x, y, z;
 };
 
-/// What a block knows of its directions: kernel::VndfDirection, as arrays.
+/// The directions of a block: kernel::VndfDirection as arrays.
 struct Directions {
   Lanes<float> alpha_x, alpha_y;
   Lanes<float> x, y, z;
@@ -47,9 +47,9 @@ struct DirectionBlock {
   const float *x, *y, *z, *alpha_x, *alpha_y;
 };
 
-/// Step 1 of samples begin to end - 1 of a block by the scalar kernel, which knows what is to be
-/// done next to the pole and with inputs outside their range. It is compiled once, for any
-/// processor.
+/// Step 1 of samples begin to end - 1 of a block by the scalar kernel, which covers directions next
+/// to the pole and inputs outside their range. Few samples need it, and it is compiled once, for
+/// any processor.
 void stretch_each(const kernel::VndfTables& tables, const DirectionBlock& inputs, std::size_t begin,
                   std::size_t end, Directions& directions);
 

@@ -1,5 +1,6 @@
-// The golden sequence, x_k = frac(k (phi - 1) + shift): it fills [0, 1) evenly at every length, and
-// no grid has a common period with it, so that a table is judged between its nodes.
+// The golden sequence, x_k = frac(k (phi - 1) + shift), a quasi-random sequence: its points leave
+// no large gaps in [0, 1) at any length. No grid has a common period with it, so that tables are
+// measured between their nodes and not at them.
 #pragma once
 
 #include <cmath>
