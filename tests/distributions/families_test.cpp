@@ -144,7 +144,7 @@ TEST_CASE("other members are normalised too") {
   CHECK(close(slope_mass(PearsonII(-0.5)).value, 1, 1e-6));
 }
 
-TEST_CASE("families that are one law by two names") {
+TEST_CASE("families that are one distribution by two names") {
   check_rescaled(StudentT(2), Ggx(), 1);
   check_rescaled(ExponentialPower(2), Beckmann(), 1);
   check_rescaled(StudentT(1e9), Beckmann(), 1, 2e-6);

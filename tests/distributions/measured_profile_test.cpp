@@ -1,4 +1,5 @@
-// Distributions from samples: against the laws that were sampled, and their shape and tails.
+// Distributions from samples: against the distributions that were sampled, and their shape and
+// tails.
 #include "vndf/distributions/measured_profile.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ using namespace vndf::test;
 
 namespace {
 
-/// The visible CDF of a law sampled at 200 places; measured: 6e-9 and 1.4e-7.
+/// The visible CDF of a distribution sampled at 200 places; measured: 6e-9 and 1.4e-7.
 constexpr double kInterpolationUError = 1e-6;
 /// marginals() against closed forms, relative, where interpolation adds up to 4e-8.
 constexpr double kMarginalError = 1e-7;
@@ -88,7 +89,7 @@ RadialProfile noisy(RadialProfile profile, double relative) {
 
 }  // namespace
 
-TEST_CASE("200 samples of a Student-T law give its visible CDF at every incidence") {
+TEST_CASE("200 samples of a Student-T distribution give its visible CDF at every incidence") {
   const StudentT exact;
   const UnitSlopes exact_slopes(exact, {});
   for (const Function& radius : {Function(logarithmic), Function(arc)}) {

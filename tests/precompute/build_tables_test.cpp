@@ -1,4 +1,4 @@
-// The builder: what it fills, that it does not depend on threads, what it refuses.
+// The builder: what it fills, that it does not depend on threads, what it throws for.
 #include "vndf/precompute/build_tables.h"
 
 #include <atomic>
@@ -112,7 +112,7 @@ TEST_CASE("a density at another scale gives the same tables, and its mass is rep
   CHECK(same_bits(a.tables->conditional, b.tables->conditional));
 }
 
-TEST_CASE("progress is told from nothing to everything") {
+TEST_CASE("progress is reported from nothing to everything") {
   double last = 0;
   const Ggx ggx;
   build_tables(

@@ -46,7 +46,7 @@ void check_ratios(const TailRatios& ratios, double bound) {
   CHECK(std::abs(ratios.e5 - 1) <= bound);
 }
 
-/// u-error of `tables` judged as those of `spec`.
+/// Certificate of `tables` measured as those of `spec`.
 Certificate as(const std::string& spec, const SlopeTables& tables) {
   const auto d = parse_distribution(spec);
   const UnitSlopes slopes(*d, {});

@@ -43,7 +43,7 @@ QuantileTable changed(const QuantileTable& table,
   return {table.rows(), table.columns(), values};
 }
 
-Certificate judge(const std::string& distribution, SlopeTables tables) {
+Certificate measured(const std::string& distribution, SlopeTables tables) {
   const auto d = parse_distribution(distribution);
   const UnitSlopes slopes(*d, {});
   return measure_certificate(slopes, share(std::move(tables)), {});
@@ -89,7 +89,7 @@ TEST_CASE("a marginal table shifted by half a cell is found out") {
   tables.marginal = changed(tables.marginal, [](const double* row, std::size_t j) {
     return j == 0 ? 0 : (row[j] + row[j - 1]) / 2;
   });
-  CHECK(judge("ggx", tables).marginal.max_u_error > 1e-3);
+  CHECK(measured("ggx", tables).marginal.max_u_error > 1e-3);
 }
 
 TEST_CASE("a tail cut at slope 16 is found out by the tail ratio") {
@@ -99,7 +99,7 @@ TEST_CASE("a tail cut at slope 16 is found out by the tail ratio") {
   tables.marginal = changed(tables.marginal, [&](const double* row, std::size_t j) {
     return j == 0 ? 0 : std::max(row[j], cut);
   });
-  const Certificate c = judge("ggx", tables);
+  const Certificate c = measured("ggx", tables);
   CHECK(std::abs(c.marginal.lower.e5 - 1) > 0.5);
 }
 
@@ -108,7 +108,7 @@ TEST_CASE("a conditional that is 0.01 % too wide is found out") {
   tables.conditional = changed(tables.conditional, [](const double* row, std::size_t j) {
     return j == 0 || row[j] == 1 ? row[j] : row[j] * 0.9999;
   });
-  CHECK(judge("beckmann", tables).conditional.max_u_error > 1e-5);
+  CHECK(measured("beckmann", tables).conditional.max_u_error > 1e-5);
 }
 
 TEST_CASE("a masking function that is 0.3 % off is found out") {
@@ -116,13 +116,13 @@ TEST_CASE("a masking function that is 0.3 % off is found out") {
   auto segments = tables.log_backfacing.segments();
   for (auto& n : segments.front().nodes) n.value += 0.003;
   tables.log_backfacing = {segments, true};
-  const Certificate c = judge("beckmann", tables);
+  const Certificate c = measured("beckmann", tables);
   CHECK(c.max_lambda_error > 2.5e-3);
   CHECK(c.max_pdf_error > 5e-4);
 }
 
 TEST_CASE("tables of one distribution fail as those of another") {
-  const Certificate c = judge("ggx", *large_tables("beckmann").tables);
+  const Certificate c = measured("ggx", *large_tables("beckmann").tables);
   CHECK(c.marginal.max_u_error > 0.01);
   CHECK(c.conditional.max_u_error > 0.01);
   CHECK(c.max_d_error > 0.1);

@@ -66,8 +66,8 @@ std::vector<Reference> references(const Named& named, const std::string& quantit
   return list;
 }
 
-struct Subject {
-  explicit Subject(const Named& named)
+struct Case {
+  explicit Case(const Named& named)
       : distribution(parse_distribution(named.spec)),
         slopes(*distribution, {}),
         built(large_tables(named.spec)),
@@ -83,7 +83,7 @@ struct Subject {
 
 TEST_CASE("visible quantiles agree with the reference values within the certificate") {
   for (const Named& named : kNamed) {
-    const Subject s(named);
+    const Case s(named);
     const double bound = s.built.certificate.marginal.max_u_error;
     const auto list = references(named, "x_marginal");
     CHECK(list.size() == 25);
@@ -108,7 +108,7 @@ TEST_CASE("visible quantiles agree with the reference values within the certific
 
 TEST_CASE("conditional quantiles agree with the reference values within the certificate") {
   for (const Named& named : kNamed) {
-    const Subject s(named);
+    const Case s(named);
     const double mu = s.slopes.mean_slope();
     const auto list = references(named, "y_conditional");
     CHECK(list.size() == 24);
@@ -137,7 +137,7 @@ TEST_CASE("conditional quantiles agree with the reference values within the cert
 
 TEST_CASE("Lambda agrees with the reference values within the certificate") {
   for (const Named& named : kNamed) {
-    const Subject s(named);
+    const Case s(named);
     const auto list = references(named, "Lambda_at_cot");
     CHECK(list.size() == 4);
     for (const auto& r : list) {

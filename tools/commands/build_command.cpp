@@ -16,7 +16,6 @@
 #include "commands/output_file.h"
 #include "commands/table_files.h"
 #include "report/report.h"
-#include "vndf/distributions/specification.h"
 #include "vndf/precompute/bake_certified.h"
 #include "vndf/precompute/build_tables.h"
 
@@ -121,7 +120,7 @@ void build(const BuildArguments& arguments, const std::string& command_line) {
   require_baked_output(arguments.baking, arguments.output);
   require_output(arguments.output, {arguments.source.profile, arguments.source.map});
   const auto source = source_of(arguments.source);
-  const auto distribution = distributions::make_distribution(source.specification);
+  const auto distribution = make_distribution(source);
   Size size{};
   parse_size(arguments.size, size);
   const auto built = precompute::build_tables(

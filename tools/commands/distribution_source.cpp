@@ -7,16 +7,24 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <stdexcept>
 
 #include "vndf/distributions/family_list.h"
 #include "vndf/distributions/formula_distribution.h"
 #include "vndf/distributions/profile_csv.h"
+#include "vndf/distributions/shape_invariance.h"
+#include "vndf/distributions/slope_integrals.h"
 #include "vndf/distributions/slope_map.h"
 #include "vndf/distributions/specification.h"
 #include "vndf/io/map_image.h"
 
 namespace vndf::tools {
 namespace {
+
+/// Adds the option that helps to a message of the library, which knows no command line.
+std::domain_error with_option(const std::domain_error& error, const std::string& option) {
+  return std::domain_error(std::string(error.what()) + " (" + option + ")");
+}
 
 std::map<std::string, double> parse_parameters(const std::vector<std::string>& list) {
   std::map<std::string, double> parameters;
@@ -142,7 +150,23 @@ DistributionSource source_of(const SourceArguments& a) {
   if (!a.p22.empty())
     return {distributions::specify_p22({a.p22, parse_parameters(a.parameters)}, a.breaks, a.name)};
   if (!a.ndf.empty()) return from_ndf(a);
-  return a.profile.empty() ? from_map(a) : from_profile(a);
+  if (!a.profile.empty()) return from_profile(a);
+  try {
+    return from_map(a);
+  } catch (const distributions::AsymmetricMap& error) {
+    throw with_option(error, "--force");
+  }
+}
+
+std::unique_ptr<distributions::SlopeDistribution> make_distribution(
+    const DistributionSource& source) {
+  try {
+    return distributions::make_distribution(source.specification);
+  } catch (const distributions::NotShapeInvariant& error) {
+    throw with_option(error, "--frozen-at ALPHA");
+  } catch (const distributions::DivergentIntegral& error) {
+    throw with_option(error, "--break RADIUS");
+  }
 }
 
 std::string list_of_families() {

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "vndf/distributions/slope_distribution.h"
 #include "vndf/provenance.h"
 
 namespace vndf::tools {
@@ -34,6 +36,11 @@ void add_source_options(CLI::App& command, SourceArguments& arguments);
 /// CLI::ValidationError where options do not go together, and std::invalid_argument,
 /// std::domain_error or std::runtime_error, one clear line, for a wrong name, formula or file.
 DistributionSource source_of(const SourceArguments& arguments);
+
+/// Makes the distribution. Throws as distributions::make_distribution() does, with the option that
+/// helps named where there is one.
+std::unique_ptr<distributions::SlopeDistribution> make_distribution(
+    const DistributionSource& source);
 
 /// The list of named distributions with their parameters.
 std::string list_of_families();

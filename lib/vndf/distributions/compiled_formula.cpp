@@ -1,5 +1,5 @@
-// Formulas by muParser. A parser must not be shared between threads, so each thread compiles its
-// own from the definition that the objects share.
+// Compiles formulas by muParser. A parser must not be shared between threads, so each thread
+// compiles its own from the definition that the objects share.
 #include "vndf/distributions/compiled_formula.h"
 
 #include <muParser.h>
@@ -32,7 +32,8 @@ namespace {
 
 using Definition = CompiledFormula::Definition;
 
-/// An angle whose cosine, sine and tangent are known better than it is itself.
+/// An angle with its cosine, sine and tangent, which near pi / 2 it does not determine in double
+/// precision.
 struct KnownAngle {
   double theta = std::numeric_limits<double>::quiet_NaN(), cosine = 0, sine = 0, tangent = 0;
 };
@@ -56,7 +57,7 @@ double power_of(double x, double y) {
   return std::pow(x, y);
 }
 
-/// muParser's own names and ours. `angle` must outlive the parser.
+/// Defines our names beside those of muParser. `angle` must outlive the parser.
 void define_names(mu::Parser& parser, KnownAngle& angle) {
   parser.DefineFun("pow", power_of);
   parser.DefineFunUserData("cos", cosine_of, &angle, false);
@@ -83,8 +84,9 @@ struct Instance {
   KnownAngle angle;
 };
 
-/// The calling thread's parser of a definition. Those of definitions that are gone go when a new
-/// one comes. An address cannot return before: a weak pointer keeps the memory of make_shared.
+/// Returns the calling thread's parser of a definition. Parsers of definitions that are gone are
+/// removed when a new one is made. Until then no definition can have the same address, because the
+/// weak pointer keeps the memory of make_shared.
 Instance& instance_of(const std::shared_ptr<const Definition>& definition) {
   struct Entry {
     std::weak_ptr<const Definition> owner;
@@ -117,21 +119,21 @@ bool contains(const List& list, const std::string& name) {
 }
 
 /// A name in a formula and where it starts.
-struct Word {
+struct Name {
   std::string text;
   std::size_t position;
   bool called;  ///< followed by '('
 };
 
-/// The names in `text`; the e of a number such as 1e-3 is none.
-std::vector<Word> words_of(const std::string& text) {
-  std::vector<Word> words;
+/// Returns the names in `text`, which the e of a number such as 1e-3 is not.
+std::vector<Name> names_in(const std::string& text) {
+  std::vector<Name> names;
   for (std::size_t i = 0; i < text.size();) {
     std::size_t end = i + 1;
     if (starts_name(text[i])) {
       while (end < text.size() && continues_name(text[end])) ++end;
       const std::size_t next = text.find_first_not_of(' ', end);
-      words.push_back({text.substr(i, end - i), i, next != std::string::npos && text[next] == '('});
+      names.push_back({text.substr(i, end - i), i, next != std::string::npos && text[next] == '('});
     } else if (is_digit(text[i]) || text[i] == '.') {
       double number = 0;
       const char* begin = text.data() + i;
@@ -140,10 +142,10 @@ std::vector<Word> words_of(const std::string& text) {
     }
     i = end;
   }
-  return words;
+  return names;
 }
 
-[[noreturn]] void refuse(const std::string& text, std::size_t position, const std::string& why) {
+[[noreturn]] void fail(const std::string& text, std::size_t position, const std::string& why) {
   throw std::invalid_argument("formula '" + text + "', column " + std::to_string(position + 1) +
                               ": " + why);
 }
@@ -181,32 +183,32 @@ void check_parameters(const Definition& definition, const KnownNames& known) {
   }
 }
 
-void check_word(const Word& word, const std::string& text, const KnownNames& known) {
-  const std::string quoted = "'" + word.text + "'";
-  if (contains(known.functions, word.text)) {
-    if (!word.called) refuse(text, word.position, "function " + quoted + " needs '(' after it");
-  } else if (!contains(known.values, word.text) && !contains(known.constants, word.text)) {
-    const auto& candidates = word.called ? known.functions : known.values;
-    const std::string nearest = support::did_you_mean(word.text, candidates);
-    refuse(text, word.position,
-           (word.called ? "there is no function " : "nothing is called ") + quoted + nearest +
-               (nearest.empty() ? "; known: " : " known: ") + support::listed(candidates));
+void check_name(const Name& name, const std::string& text, const KnownNames& known) {
+  const std::string quoted = "'" + name.text + "'";
+  if (contains(known.functions, name.text)) {
+    if (!name.called) fail(text, name.position, "function " + quoted + " needs '(' after it");
+  } else if (!contains(known.values, name.text) && !contains(known.constants, name.text)) {
+    const auto& candidates = name.called ? known.functions : known.values;
+    const std::string nearest = support::did_you_mean(name.text, candidates);
+    fail(text, name.position,
+         (name.called ? "there is no function " : "nothing is called ") + quoted + nearest +
+             (nearest.empty() ? "; known: " : " known: ") + support::listed(candidates));
   }
 }
 
-/// muParser would take "r = 2" for an assignment.
+/// Throws for "r = 2", which muParser would take for an assignment.
 void check_no_assignment(const std::string& text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] != '=') continue;
     const bool compares = i + 1 < text.size() && text[i + 1] == '=';
     const bool ends_comparison =
         i > 0 && std::string_view("<>!").find(text[i - 1]) != std::string_view::npos;
-    if (!compares && !ends_comparison) refuse(text, i, "'=' would assign; '==' compares");
+    if (!compares && !ends_comparison) fail(text, i, "'=' would assign; '==' compares");
     if (compares) ++i;
   }
 }
 
-/// What muParser means; its own messages count columns from 0.
+/// Returns what muParser means in our terms, because its own messages count columns from 0.
 std::string explained(const mu::ParserError& error) {
   const std::string token = "'" + error.GetToken() + "'";
   switch (error.GetCode()) {
@@ -245,11 +247,11 @@ void check_syntax(const Definition& definition) {
     Instance instance(definition);
     instance.parser.Eval();
     if (instance.parser.GetNumResults() != 1)
-      refuse(text, text.find(','), "',' belongs between the arguments of a function");
+      fail(text, text.find(','), "',' belongs between the arguments of a function");
   } catch (const mu::ParserError& error) {
     const int position = error.GetPos();
-    refuse(text, position < 0 ? text.size() : std::min(text.size(), std::size_t(position)),
-           explained(error));
+    fail(text, position < 0 ? text.size() : std::min(text.size(), std::size_t(position)),
+         explained(error));
   }
 }
 
@@ -261,11 +263,11 @@ CompiledFormula::CompiledFormula(const Formula& formula,
   for (const auto& [name, value] : formula.parameters)
     definition.shown += ", " + name + "=" + support::number_text(value);
   if (formula.text.find_first_not_of(' ') == std::string::npos)
-    refuse(formula.text, 0, "the formula is empty");
+    fail(formula.text, 0, "the formula is empty");
   const KnownNames known(definition);
-  for (const Word& word : words_of(formula.text)) {
-    check_word(word, formula.text, known);
-    definition.used.insert(word.text);
+  for (const Name& name : names_in(formula.text)) {
+    check_name(name, formula.text, known);
+    definition.used.insert(name.text);
   }
   check_parameters(definition, known);
   check_no_assignment(formula.text);

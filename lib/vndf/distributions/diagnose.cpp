@@ -1,4 +1,4 @@
-// A scan of p22 over all radii, then the two integrals that must exist.
+// Scans p22 over all radii, then tries the two integrals that must exist.
 #include "vndf/distributions/diagnose.h"
 
 #include <algorithm>
@@ -13,11 +13,11 @@
 namespace vndf::distributions {
 namespace {
 
-[[noreturn]] void refuse(const SlopeDistribution& d, const std::string& why) {
+[[noreturn]] void fail(const SlopeDistribution& d, const std::string& why) {
   throw std::domain_error("distribution '" + d.name() + "': " + why);
 }
 
-/// Radii > 0, increasing.
+/// Returns the radii > 0 at which p22 is tried, increasing.
 std::vector<double> radii_to_look_at(const SlopeDistribution& d) {
   constexpr int kCount = 4000;
   constexpr double kDecades = 8;
@@ -38,28 +38,29 @@ std::vector<double> radii_to_look_at(const SlopeDistribution& d) {
 void check_zero(const SlopeDistribution& d, const DiagnoseOptions& options) {
   const double density = d.p22(0);
   if (std::isnan(density) || density < 0)
-    refuse(d, "p22 is " + support::rounded_text(density) +
-                  " at slope radius 0; it must be >= 0 there (give the limit, for example by a "
-                  "condition: r > 0 ? ... : LIMIT)");
+    fail(d, "p22 is " + support::rounded_text(density) +
+                " at slope radius 0; it must be >= 0 there (give the limit, for example by a "
+                "condition: r > 0 ? ... : LIMIT)");
   if (std::isinf(density) && !options.singularity_at_zero_allowed)
-    refuse(d,
-           "p22 is infinite at slope radius 0, where the quadratures would lose their precision; "
-           "bound it there, for example with max(r, 1e-6) in place of r, or use the named "
-           "distribution 'k', whose singularity is known");
+    fail(d,
+         "p22 is infinite at slope radius 0, where the quadratures would lose their precision; "
+         "bound it there, for example with max(r, 1e-6) in place of r, or use the named "
+         "distribution 'k', whose singularity is known");
 }
 
 double checked_density(const SlopeDistribution& d, double r) {
   const double density = d.p22(r);
   if (std::isinf(density) && density > 0)
-    refuse(d, "p22 is infinite at slope radius " + support::rounded_text(r) +
-                  "; only radius 0 may be singular");
+    fail(d, "p22 is infinite at slope radius " + support::rounded_text(r) +
+                "; only radius 0 may be singular");
   if (!(density >= 0))
-    refuse(d, "p22 is " + support::rounded_text(density) + " at slope radius " +
-                  support::rounded_text(r) + "; a density must be finite and >= 0");
+    fail(d, "p22 is " + support::rounded_text(density) + " at slope radius " +
+                support::rounded_text(r) + "; a density must be finite and >= 0");
   return density;
 }
 
-/// The radius between `zero` and `positive` (in either order) at which p22 becomes positive.
+/// Returns the radius between `zero` and `positive` (in either order) at which p22 becomes
+/// positive.
 double edge(const SlopeDistribution& d, double zero, double positive) {
   for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (zero + positive);
@@ -68,8 +69,8 @@ double edge(const SlopeDistribution& d, double zero, double positive) {
   return positive;
 }
 
-/// Refuses the first interval on which p22 is 0 between positive values. One zero alone is none:
-/// p22 may touch 0 at a point.
+/// Throws at the first interval on which p22 is 0 between positive values. One zero alone is no
+/// interval, because p22 may touch 0 at a point.
 void check_scan(const SlopeDistribution& d) {
   const std::vector<double> radii = radii_to_look_at(d);
   std::size_t last_positive = radii.size();
@@ -78,10 +79,10 @@ void check_scan(const SlopeDistribution& d) {
     if (last_positive < i && i - last_positive > 2) {
       const double begin = edge(d, radii[last_positive + 1], radii[last_positive]);
       const double end = edge(d, radii[i - 1], radii[i]);
-      refuse(d, "p22 is zero from slope radius " + support::rounded_text(begin) + " to " +
-                    support::rounded_text(end) +
-                    " and positive on both sides; the map from random numbers to slopes would "
-                    "not be unique there");
+      fail(d, "p22 is zero from slope radius " + support::rounded_text(begin) + " to " +
+                  support::rounded_text(end) +
+                  " and positive on both sides; the map from random numbers to slopes would "
+                  "not be unique there");
     }
     last_positive = i;
   }
@@ -92,7 +93,7 @@ void check_scan(const SlopeDistribution& d) {
 void diagnose(const SlopeDistribution& d, const DiagnoseOptions& options) {
   check_zero(d, options);
   check_scan(d);
-  mean_slope(d, slope_mass(d).value);  // they refuse what cannot be integrated
+  mean_slope(d, slope_mass(d).value);  // both throw where they do not converge
 }
 
 }  // namespace vndf::distributions

@@ -150,7 +150,7 @@ std::optional<Marginals> ExponentialPower::marginals(double x) const {
 
 KDistribution::KDistribution(double nu)
     : nu_(checked(nu, nu > 0 && nu <= 100, "k: nu",
-                  "> 0 and <= 100, for larger ones are Beckmann's law within 1 %")),
+                  "> 0 and <= 100, for larger ones are Beckmann's distribution within 1 %")),
       factor_(2 * nu * inv_pi / boost::math::tgamma(nu)) {}
 
 std::string KDistribution::name() const {

@@ -28,8 +28,8 @@ class Ggx final : public SlopeDistribution {
   std::optional<Marginals> marginals(double x) const override;
 };
 
-/// p22(r) = (g - 1) / (pi s) (1 + r^2 / s)^-g: one law, for which people use several units of
-/// slope.
+/// p22(r) = (g - 1) / (pi s) (1 + r^2 / s)^-g: one distribution, for which several units of slope
+/// are in use.
 class PowerLaw : public SlopeDistribution {
  public:
   double p22(double r) const override;
@@ -102,7 +102,8 @@ class KDistribution final : public SlopeDistribution {
   explicit KDistribution(double nu);
   std::string name() const override;
   double p22(double r) const override;
-  /// Bessel functions are, but K_0 and K_2.
+  /// Bessel functions are costly. nu = 1 and 3 have P, Q and M in closed form and need fewer of
+  /// them.
   bool costly() const override { return nu_ != 1 && nu_ != 3; }
   std::optional<Marginals> marginals(double x) const override;
 

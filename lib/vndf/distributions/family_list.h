@@ -1,5 +1,5 @@
-// The list of named distributions, for people (vndf build --list) and for the parser of
-// specifications (distribution_spec.h).
+// The list of named distributions. Programs show it to people, and parse_distribution.h reads names
+// and parameters by it.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@
 
 namespace vndf::distributions {
 
-/// A number that a family takes.
+/// A number that a family of distributions takes.
 struct FamilyParameter {
   std::string name;
   double default_value;
@@ -19,17 +19,18 @@ struct FamilyParameter {
 };
 
 struct FamilyInfo {
-  std::string name;        ///< as specifications write it
+  std::string name;        ///< as in specifications
   std::string parameters;  ///< with default and range, "gamma=2.5 (> 3/2)"; empty for none
   std::string density;     ///< p22(r) at unit roughness
   std::string source;      ///< where it comes from
   std::vector<FamilyParameter> accepts;
-  /// The distribution for a value of each of `accepts`, in that order. Throws std::invalid_argument
-  /// for one out of range. Empty for mixtures, which are made of other families.
+  /// Makes the distribution from a value of each of `accepts`, in that order. Throws
+  /// std::invalid_argument for a value out of its range. It is empty for mixtures, which are made
+  /// of other families.
   std::function<std::unique_ptr<SlopeDistribution>(const std::vector<double>&)> make;
 };
 
-/// All of them, in the order to show.
+/// Returns all families, in the order in which to show them.
 const std::vector<FamilyInfo>& families();
 
 }  // namespace vndf::distributions

@@ -20,16 +20,16 @@ constexpr double kTolerance = 1e-13, kTiny = 1e-9;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 void check(const RadialProfile& samples) {
-  const auto refuse = [](const std::string& rule) {
+  const auto fail = [](const std::string& rule) {
     throw std::invalid_argument("radial profile: " + rule);
   };
-  if (samples.r.size() != samples.p22.size()) refuse("as many radii as densities are needed");
-  if (samples.r.size() < kFewestSamples) refuse("at least 4 samples are needed");
+  if (samples.r.size() != samples.p22.size()) fail("as many radii as densities are needed");
+  if (samples.r.size() < kFewestSamples) fail("at least 4 samples are needed");
   for (std::size_t i = 0; i < samples.r.size(); ++i) {
-    if (!(samples.r[i] >= 0) || std::isinf(samples.r[i])) refuse("radii must be finite and >= 0");
-    if (i > 0 && !(samples.r[i] > samples.r[i - 1])) refuse("radii must increase");
+    if (!(samples.r[i] >= 0) || std::isinf(samples.r[i])) fail("radii must be finite and >= 0");
+    if (i > 0 && !(samples.r[i] > samples.r[i - 1])) fail("radii must increase");
     if (!(samples.p22[i] >= 0) || std::isinf(samples.p22[i]))
-      refuse("densities must be finite and >= 0");
+      fail("densities must be finite and >= 0");
   }
 }
 
@@ -107,7 +107,7 @@ MeasuredProfile::MeasuredProfile(std::string name, RadialProfile samples, Profil
   tail_.kind = tail;
   const auto positive = std::find_if(samples_.p22.rbegin(), samples_.p22.rend(),
                                      [](double density) { return density > 0; });
-  if (positive == samples_.p22.rend()) refuse("p22 is zero at every sample");
+  if (positive == samples_.p22.rend()) fail("p22 is zero at every sample");
   const auto kept = static_cast<std::size_t>(samples_.p22.rend() - positive) + 1;  // and one zero
   samples_.r.resize(std::min(kept, samples_.r.size()));
   samples_.p22.resize(samples_.r.size());
@@ -120,7 +120,7 @@ MeasuredProfile::MeasuredProfile(std::string name, RadialProfile samples, Profil
   integrate();
 }
 
-void MeasuredProfile::refuse(const std::string& why) const {
+void MeasuredProfile::fail(const std::string& why) const {
   throw std::domain_error("distribution '" + name_ + "': " + why);
 }
 
@@ -138,7 +138,7 @@ void MeasuredProfile::place_knots() {
 
 void MeasuredProfile::fit_tail(std::optional<double> parameter) {
   if (samples_.p22.back() == 0)
-    refuse("p22 is zero at the last sample, which leaves no tail to fit; declare the tail 'none'");
+    fail("p22 is zero at the last sample, which leaves no tail to fit; declare the tail 'none'");
   const bool power = tail_.kind == ProfileTail::power;
   tail_.parameter = parameter.value_or(0);
   if (!parameter) {
@@ -150,7 +150,7 @@ void MeasuredProfile::fit_tail(std::optional<double> parameter) {
       x.push_back(power ? std::log(knot->r) : knot->r);
       y.push_back(knot->value);
     }
-    if (x.size() < 2) refuse("fewer than two of the last samples are positive: no tail to fit");
+    if (x.size() < 2) fail("fewer than two of the last samples are positive: no tail to fit");
     const Line line = least_squares(x, y);
     tail_.parameter = -line.slope;
     tail_.residual = line.residual;
@@ -159,12 +159,12 @@ void MeasuredProfile::fit_tail(std::optional<double> parameter) {
   if (power && !(tail_.parameter > kSmallestTailExponent)) {
     why << "the density falls as r^-" << tail_.parameter
         << " at the last samples; the mean slope is finite only for exponents above 3";
-    refuse(why.str());
+    fail(why.str());
   }
   if (!(tail_.parameter > 0)) {
     why << "the density does not fall at the last samples (exp(" << -tail_.parameter
         << " r)): no exponential tail fits";
-    refuse(why.str());
+    fail(why.str());
   }
 }
 

@@ -78,7 +78,7 @@ class MeasuredProfile final : public SlopeDistribution {
   double between(std::size_t next, double r) const;
   double beyond(double r) const;
   void add_tail(double x, double low, Marginals& sum) const;
-  [[noreturn]] void refuse(const std::string& why) const;
+  [[noreturn]] void fail(const std::string& why) const;
 
   std::string name_;
   RadialProfile samples_;

@@ -1,4 +1,4 @@
-// Shape invariance by comparing normalised slope densities at several roughnesses.
+// Compares normalised slope densities at several roughnesses.
 #include "vndf/distributions/shape_invariance.h"
 
 #include <array>
@@ -17,10 +17,12 @@ constexpr std::array kAlphas = {0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 0.9};
 constexpr std::size_t kRadii = 480;
 constexpr double kLogRange = 3 * std::numbers::ln10;  // 1e-3 to 1e3
 
-/// Mass per factor e of slope from which a difference matters.
+/// Differences count where a factor e of slope holds this mass, which is about the u-error of
+/// tables.
 constexpr double kRelevantMass = 1e-6;
 
-/// Midpoints of equal steps of log r: r = 1, where compact laws end, is none of them.
+/// Returns midpoints of equal steps of log r. r = 1, where compact distributions end, is none of
+/// them.
 double radius(std::size_t i) {
   const double step = 2 * kLogRange / kRadii;
   return std::exp(-kLogRange + (static_cast<double>(i) + 0.5) * step);
@@ -28,8 +30,8 @@ double radius(std::size_t i) {
 
 using Profile = std::array<double, kRadii>;
 
-/// 2 pi r^2 p22 at unit roughness, the mass per unit of log r, with the sum of all made 1 per unit.
-/// What lies outside the range is the same fraction for all roughnesses of an invariant law.
+/// Returns 2 pi r^2 p22 at unit roughness, the mass per unit of log r, normalised over the range of
+/// radii. What lies outside is the same fraction for all roughnesses of an invariant distribution.
 Profile mass_profile(const Ndf& ndf, double alpha) {
   Profile profile{};
   double sum = 0;
@@ -72,13 +74,13 @@ ShapeInvariance measure_shape_invariance(const Ndf& ndf) {
 void require_shape_invariant(const Ndf& ndf, const std::string& name) {
   const ShapeInvariance found = measure_shape_invariance(ndf);
   if (found.violation <= kShapeInvariant) return;
-  throw std::domain_error(
+  throw NotShapeInvariant(
       "'" + name + "' is not shape-invariant: at a slope of " + support::rounded_text(found.r) +
       " alpha, its normalised densities for alpha = " + support::number_text(found.alpha) +
       " and " + support::number_text(found.reference_alpha) + " differ by " +
       support::rounded_text(found.violation) +
       " of the larger, so that one table cannot serve every roughness; "
-      "--frozen-at ALPHA takes the surface of one alpha as the shape");
+      "the surface of one alpha can be taken as the shape");
 }
 
 }  // namespace vndf::distributions

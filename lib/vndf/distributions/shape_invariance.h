@@ -1,10 +1,11 @@
 // Whether a normal distribution D(theta, alpha) is shape-invariant: whether alpha only stretches
 // its slopes, so that one table serves every roughness (Heitz and d'Eon 2014, section 2). With
-// p22(r; alpha) = D cos^4 at r = tan(theta), it is where alpha^2 p22(alpha t; alpha), normalised,
-// is the same function of t for all alpha.
+// p22(r; alpha) = D cos^4 at r = tan(theta), it is if alpha^2 p22(alpha t; alpha), normalised, is
+// the same function of t for all alpha.
 #pragma once
 
 #include <functional>
+#include <stdexcept>
 #include <string>
 
 namespace vndf::distributions {
@@ -28,9 +29,15 @@ inline constexpr double kShapeInvariant = 1e-6;
 /// D is negative, infinite or not a number, or zero at all slopes of a roughness.
 ShapeInvariance measure_shape_invariance(const Ndf& ndf);
 
-/// Throws std::domain_error naming the violation, where it is, and the way out (one surface frozen
-/// at its alpha), if measure_shape_invariance() finds more than kShapeInvariant. `name` is for the
-/// message.
+/// A roughness changes the shape of the distribution.
+class NotShapeInvariant : public std::domain_error {
+ public:
+  using std::domain_error::domain_error;
+};
+
+/// Throws NotShapeInvariant, which names the violation and where it is, if
+/// measure_shape_invariance() finds more than kShapeInvariant. The surface of one alpha is still a
+/// shape: see FormulaDistribution::from_ndf(). `name` is for the message.
 void require_shape_invariant(const Ndf& ndf, const std::string& name);
 
 }  // namespace vndf::distributions

@@ -15,8 +15,7 @@ namespace vndf::distributions {
 namespace {
 
 constexpr char kDoesNotConverge[] =
-    " does not converge; where p22 jumps or has a kink, its radius must be known (vndf build: "
-    "--break)";
+    " does not converge; where p22 jumps or has a kink, the radius must be among its breaks";
 constexpr double kRelativeTolerance = 1e-13;
 constexpr double kFarthestFall = 1e12, kFallResolution = 0.01;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -130,7 +129,7 @@ double one_minus_atan_ratio(double z) {
   return q * sum;
 }
 
-[[noreturn]] void refuse(const SlopeDistribution& d, const std::string& why) {
+[[noreturn]] void fail(const SlopeDistribution& d, const std::string& why) {
   throw std::domain_error("distribution '" + d.name() + "': " + why);
 }
 
@@ -139,7 +138,7 @@ double checked_p22(const SlopeDistribution& d, double r) {
   if (density >= 0 && std::isfinite(density)) return density;
   std::ostringstream why;
   why << "p22 is " << density << " at slope radius " << r << "; it must be finite and >= 0";
-  refuse(d, why.str());
+  fail(d, why.str());
 }
 
 /// Boost reports divergence by an exception, by a value that is not finite or by an error estimate
@@ -154,10 +153,10 @@ Estimate convergent(const SlopeDistribution& d, const std::string& what, F f) {
     result = integrate([&](double s, double low, double high) { return f(inside(s, low, high)); },
                        0, cuts, std::isfinite(d.support()), 1);
   } catch (const boost::math::evaluation_error&) {
-    refuse(d, what + kDoesNotConverge);
+    throw DivergentIntegral("distribution '" + d.name() + "': " + what + kDoesNotConverge);
   }
   if (!std::isfinite(result.value) || !(result.error <= kUsableError * std::abs(result.value)))
-    refuse(d, what + kDoesNotConverge);
+    throw DivergentIntegral("distribution '" + d.name() + "': " + what + kDoesNotConverge);
   return result;
 }
 
@@ -167,7 +166,7 @@ Estimate slope_mass(const SlopeDistribution& d) {
   if (const auto known = d.marginals(0)) return {2 * known->q, 0};
   const auto ring = [&](double r) { return 2 * std::numbers::pi * r * checked_p22(d, r); };
   const Estimate mass = convergent(d, "the integral of p22 over the slope plane", ring);
-  if (!(mass.value > 0)) refuse(d, "p22 is zero everywhere");
+  if (!(mass.value > 0)) fail(d, "p22 is zero everywhere");
   return mass;
 }
 

@@ -11,6 +11,8 @@
 // coordinates there). None is truncated: the tail to infinity is part of the quadrature.
 #pragma once
 
+#include <stdexcept>
+
 #include "vndf/distributions/slope_distribution.h"
 
 namespace vndf::distributions {
@@ -20,13 +22,20 @@ struct Estimate {
   double value, error;
 };
 
+/// A quadrature does not converge: the integral is infinite, or p22 has a jump that is not among
+/// its breaks.
+class DivergentIntegral : public std::domain_error {
+ public:
+  using std::domain_error::domain_error;
+};
+
 /// 2 pi int r p22 dr, 1 for a normalised density. Throws std::domain_error, naming the
-/// distribution, when p22 is negative or not a number somewhere, or when the integral is zero or
-/// does not converge.
+/// distribution, if p22 is negative or not a number somewhere or the integral is zero, and
+/// DivergentIntegral if it does not converge.
 Estimate slope_mass(const SlopeDistribution& d);
 
-/// M(0) 2 = E|X| of a density normalised by `mass`. Throws std::domain_error when the mean slope is
-/// infinite: no masking function, hence no distribution of visible normals, exists.
+/// 2 M(0) = E|X| of a density normalised by `mass`. Throws DivergentIntegral if it is infinite:
+/// there is then no masking function, hence no distribution of visible normals.
 Estimate mean_slope(const SlopeDistribution& d, double mass);
 
 /// P, Q, M and B at a slope >= 0, of the density as it is (not normalised). Maximum relative error
@@ -40,7 +49,7 @@ struct MarginalEstimates {
   Estimate p, q, m;
 };
 
-/// P, Q and M at a slope >= 0: as the distribution knows them, or else by quadrature.
+/// P, Q and M at a slope >= 0, as the distribution knows them or else by quadrature.
 MarginalEstimates marginals(const SlopeDistribution& d, double x);
 
 }  // namespace vndf::distributions

@@ -17,22 +17,22 @@ namespace {
 
 using Slopes = std::span<const Vec2<double>>;
 
-[[noreturn]] void refuse(const std::string& why) {
+[[noreturn]] void fail(const std::string& why) {
   throw std::domain_error("slope map: " + why);
 }
 
 void check(Slopes slopes) {
   if (slopes.size() < kFewestTexels)
-    refuse("it has " + std::to_string(slopes.size()) + " texels; at least " +
-           std::to_string(kFewestTexels) + " are needed");
+    fail("it has " + std::to_string(slopes.size()) + " texels; at least " +
+         std::to_string(kFewestTexels) + " are needed");
   for (std::size_t i = 0; i < slopes.size(); ++i)
     if (!std::isfinite(slopes[i].x) || !std::isfinite(slopes[i].y))
-      refuse("the slope of texel " + std::to_string(i) + " is not finite");
+      fail("the slope of texel " + std::to_string(i) + " is not finite");
 }
 
 // Centre and stretch.
 
-/// Centre and scatter matrix of an elliptical law, the latter in any unit.
+/// Centre and scatter matrix of an elliptical distribution, the latter in any unit.
 struct Scatter {
   double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
 
@@ -68,7 +68,7 @@ Scatter fit_scatter(Slopes slopes) {
   for (const auto& slope : slopes) s.x += slope.x / n, s.y += slope.y / n;
   for (const auto& slope : slopes) deviation += std::hypot(slope.x - s.x, slope.y - s.y) / n;
   if (!(deviation > kRounding * std::hypot(s.x, s.y)))
-    refuse("all texels have the same slope: no roughness");
+    fail("all texels have the same slope: no roughness");
   s.xx = s.yy = deviation * deviation;
   for (int step = 0; step < kMostSteps; ++step) {
     const double size = s.xx + s.yy;
@@ -78,7 +78,7 @@ Scatter fit_scatter(Slopes slopes) {
     const double change = std::hypot(s.xx - old.xx, s.yy - old.yy, s.xy - old.xy);
     if (change < kConverged * size) return s;
   }
-  refuse("the slopes do not spread in two directions: too many of them are equal or on one line");
+  fail("the slopes do not spread in two directions: too many of them are equal or on one line");
 }
 
 /// Slopes without centre and stretch, still in any unit.
@@ -142,9 +142,10 @@ void measure_asymmetry(Slopes slopes, const std::vector<double>& radii, bool for
   result.asymmetry = std::clamp(worst - kExpectedLargest * sigma, 0.0, 1.0);
   result.asymmetry_bound = kMaxAsymmetry + kSigmas * sigma;
   if (!force && result.asymmetry > result.asymmetry_bound)
-    refuse("the slopes are not radially symmetric even after a stretch: asymmetry " +
-           std::to_string(result.asymmetry) + " exceeds " + std::to_string(result.asymmetry_bound) +
-           "; --force averages over azimuth all the same");
+    throw AsymmetricMap(
+        "slope map: the slopes are not radially symmetric even after a stretch: asymmetry " +
+        std::to_string(result.asymmetry) + " exceeds " + std::to_string(result.asymmetry_bound) +
+        "; with the option force they are averaged over azimuth all the same");
 }
 
 // The radial density.
@@ -175,7 +176,7 @@ Histogram histogram_of(const std::vector<double>& radii) {
   }
   h.beyond = n - begin;
   h.masses.push_back(static_cast<double>(h.beyond) / static_cast<double>(n));
-  if (h.masses.size() < 5) refuse("its slopes take too few different values");
+  if (h.masses.size() < 5) fail("its slopes take too few different values");
   return h;
 }
 

@@ -5,14 +5,17 @@
 //
 // with (z1, z2) radially symmetric and E|z1| = 1.
 //
-// The unit is E|X|, finite wherever visible normals exist; the standard deviation is infinite for
-// GGX. Centre and stretch are the maximum-likelihood estimates for a bivariate Cauchy law: the
-// right ones for every elliptical law, and as precise for heavy tails as for light ones, which
-// sample means and covariances are not (Kent and Tyler 1991).
+// The centre, stretch and correlation are removed from the map and reported, so that a renderer can
+// apply them again. The unit is E|X|, which is finite wherever visible normals exist; the standard
+// deviation of GGX is infinite. Centre and stretch are the maximum-likelihood estimates for a
+// bivariate Cauchy distribution. They are right for every elliptical distribution, and as precise
+// for heavy tails as for light ones, which sample means and covariances are not (Kent and Tyler
+// 1991).
 #pragma once
 
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <string>
 
 #include "vndf/distributions/measured_profile.h"
@@ -26,6 +29,12 @@ inline constexpr std::size_t kFewestTexels = 1000;
 /// deviations of its noise: at 0.05 the azimuth CDF within any eighth of the texels is off by less
 /// than 0.05 / pi.
 inline constexpr double kMaxAsymmetry = 0.05;
+
+/// The slopes of a map are not radially symmetric, whatever the stretch.
+class AsymmetricMap : public std::domain_error {
+ public:
+  using std::domain_error::domain_error;
+};
 
 struct SlopeMapOptions {
   /// Name of the distribution.
@@ -42,12 +51,13 @@ struct SlopeMapStatistics {
   double alpha_x = 0, alpha_y = 0;
   /// Of the stretch, in (-1, 1); equals the correlation coefficient where that exists.
   double correlation = 0;
-  /// With a probability of 95 % no visible CDF of the map's law is farther than this from that of
-  /// the estimate: the Dvoretzky-Kiefer-Wolfowitz bound sqrt(log(2 / 0.05) / (2 n)). At grazing
-  /// incidence slopes count in proportion to their length r, so n is the number of texels that
-  /// weights r leave effective, (sum r)^2 / sum r^2. A lower bound in two cases: neighbouring
-  /// texels of a smooth map depend on each other; and where the tail falls slower than r^-4 the sum
-  /// of squares has no limit, so the bound itself is uncertain by a factor of two or so.
+  /// With a probability of 95 % no visible CDF of the distribution of the map is farther than this
+  /// from that of the estimate: the Dvoretzky-Kiefer-Wolfowitz bound sqrt(log(2 / 0.05) / (2 n)).
+  /// At grazing incidence slopes count in proportion to their length r, so n is the number of
+  /// texels that weights r leave effective, (sum r)^2 / sum r^2. A lower bound in two cases:
+  /// neighbouring texels of a smooth map depend on each other; and where the tail falls slower than
+  /// r^-4 the sum of squares has no limit, so the bound itself is uncertain by a factor of two or
+  /// so.
   double u_error = 0;
   /// Largest Fourier coefficient |E exp(i k phi)|, k = 1 ... 8, of the azimuth and largest spread
   /// of its CDF (Kuiper), over the eighths of the texels by radius, less their noise: 0 to 1.
@@ -64,8 +74,9 @@ struct SlopeMapEstimate {
 };
 
 /// Estimates the distribution of `slopes`, one for each texel. Throws std::domain_error for fewer
-/// than kFewestTexels, a slope that is not finite, slopes that do not spread in two directions, an
-/// asymmetry above its bound (without force), and a tail too heavy for a finite mean slope.
+/// than kFewestTexels, a slope that is not finite, slopes that do not spread in two directions, and
+/// a tail too heavy for a finite mean slope; AsymmetricMap for an asymmetry above its bound, unless
+/// options.force is set.
 SlopeMapEstimate estimate_slope_map(std::span<const Vec2<double>> slopes,
                                     const SlopeMapOptions& options = {});
 

@@ -1,15 +1,16 @@
-// Bakes the pair of tables and measures what came of it.
+// Bakes a pair of tables and certifies the baked tables.
 #include "vndf/precompute/bake_certified.h"
 
 #include <limits>
 
-#include "vndf/precompute/measure_certificate.h"
+#include "vndf/precompute/measure_kernel_certificate.h"
 #include "vndf/precompute/row_errors.h"
 
 namespace vndf::precompute {
 namespace {
 
-/// Errors of the table of the pair and of `difference` from it, in u.
+/// Bounds the errors of a table that differs by `difference` in u from one with `errors`. Of its
+/// density and its tails nothing is known.
 TableErrors joined(TableErrors errors, double difference) {
   errors.max_u_error += difference;
   errors.mean_u_error += difference;
@@ -18,7 +19,8 @@ TableErrors joined(TableErrors errors, double difference) {
   return errors;
 }
 
-/// Of functions the curves of baked tables follow those of the pair to the tolerance.
+/// The curves of baked tables follow those of the pair to the tolerance, so it is added to the
+/// errors of functions.
 Certificate joined(Certificate c, const KernelHeader& header) {
   c.marginal = joined(c.marginal, header.difference_x);
   c.conditional = joined(c.conditional, header.difference_y);

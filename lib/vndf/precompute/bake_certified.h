@@ -1,5 +1,5 @@
-// Bakes the pair of tables and measures what came of it, so that a file of baked tables says how
-// exact it is itself and not only how near to the pair.
+// Bakes a pair of tables and measures the baked tables against the exact distribution. Without this
+// a file of baked tables would only tell how near it is to its pair.
 #pragma once
 
 #include "vndf/baking/bake.h"
@@ -8,19 +8,21 @@
 
 namespace vndf::precompute {
 
-/// The kernel's tables of `pair`, which was made from `slopes`, with `text` and the certificate
-/// that is measured against them. Throws as bake() does.
+/// Bakes `pair`, which was made from `slopes`, and adds `text` and the measured certificate. Throws
+/// as bake() does.
 KernelTables bake_certified(const UnitSlopes& slopes, const SlopeTables& pair,
                             const BakeOptions& options, const KernelText& text,
                             const support::Workers& workers);
 
-/// The same of the distribution itself, which is integrated again.
+/// Bakes `pair`, which was made from `distribution`. The integrals of the distribution are computed
+/// again. Throws as bake() and UnitSlopes do.
 KernelTables bake_certified(const distributions::SlopeDistribution& distribution,
                             const SlopeTables& pair, const BakeOptions& options = {});
 
-/// The same where the law of `pair` cannot be had again: the certificate, marked as not measured,
-/// is that of the pair with the differences from it added. Of the density and of the tails these
-/// tell nothing.
+/// Bakes a pair whose distribution is not known any more. The certificate is that of the pair, with
+/// the differences between the pair and the baked tables added to the errors in u, and is marked as
+/// not measured. The differences say nothing about densities and tails, so these get the largest
+/// error there is. Throws as bake() does.
 KernelTables bake_uncertified(const SlopeTables& pair, const Certificate& certificate,
                               const BakeOptions& options, const KernelText& text);
 

@@ -1,4 +1,4 @@
-// Fills the two tables and the two curves for a slope distribution, and measures them.
+// Runs the steps of the builder one after another.
 #include "vndf/precompute/build_tables.h"
 
 #include <algorithm>
@@ -18,14 +18,15 @@ namespace {
 
 constexpr std::size_t kLargestSize = 8192;
 constexpr std::size_t kCurveNodes = 2048;
-// The curves end where the function is nearly lost in double precision or, for a power tail, where
-// it has been a straight line for long. Of D = p22 (1 + r^2)^2 >= 1e-250 the factor p22 keeps all
-// its digits to the farthest place, and so do the tangents that continue the curve.
+// The curves end where the function is nearly lost in double precision or, for a power tail, at a
+// slope of sinh(20) = 2.4e8, where it is a straight line to rounding. Where D = p22 (1 + r^2)^2 is
+// above 1e-250, p22 is still a normal number at the farthest place, so that the tangents which
+// continue the curve keep all their digits.
 constexpr double kSmallestCurveValue = 1e-250;
 constexpr double kFarthestCurve = 20;
 
-/// asinh of the last slope at which `f` is more than nothing. It may be nothing in a hole too, so
-/// the end is looked for from beyond.
+/// Returns asinh of the last slope at which `f` is above kSmallestCurveValue. It may be 0 in a hole
+/// too, so the search comes from beyond.
 template <class F>
 double end_of(F f) {
   constexpr double kStep = 0.95, kNearest = 1e-3;
@@ -43,7 +44,7 @@ double end_of(F f) {
   return end;
 }
 
-/// Samples log f(slope) to the end of f.
+/// Samples log f(slope) up to the end of f.
 template <class F>
 LogCurve<double> curve_of(const UnitSlopes& slopes, F f, const support::Workers& workers) {
   const double end = end_of(f);
@@ -54,8 +55,8 @@ LogCurve<double> curve_of(const UnitSlopes& slopes, F f, const support::Workers&
 }
 
 LogCurve<double> ndf_curve(const UnitSlopes& slopes, const support::Workers& workers) {
-  // A pole is approached, not reached: to the middle of the first cell, for cubics overshoot the
-  // logarithm of a pole, the more the nearer they begin.
+  // The first node of a pole takes the value at the middle of the first cell. Cubics overshoot the
+  // logarithm of a pole, and the more the nearer to it they begin.
   constexpr double kCentre = kPoleSegment / (2.0 * kCurveNodes * kCurveNodes);
   const auto ndf = [&](double r) {
     const double square = 1 + r * r;
@@ -76,7 +77,8 @@ void require_size(const TableLayout& layout) {
                                 std::to_string(layout.columns) + ": from 2x5 to 8192x8192");
 }
 
-/// Workers that report rows as a part of the work of both tables, the first `before` rows done.
+/// Returns workers that report rows as a part of the work of both tables, of which `before` rows
+/// are done.
 support::Workers reporting(const BuildOptions& options, std::size_t before) {
   support::Workers workers{options.threads};
   if (options.progress)

@@ -1,4 +1,6 @@
-// Fills the two tables and the two curves for a slope distribution, and measures them.
+// Builds the pair of tables and the two curves of a slope distribution, and measures them. This is
+// where the steps of the builder meet: unit_slopes, marginal_map, rows, fill_table and
+// measure_certificate.
 #pragma once
 
 #include <functional>
@@ -12,26 +14,26 @@
 namespace vndf::precompute {
 
 struct BuildOptions {
-  /// Rows (incidence, slope x) and columns (u1, u2) of both tables; from 2 x 5 to 8192 x 8192.
+  /// Rows (incidence, slope x) and columns (u1, u2) of both tables, from 2 x 5 to 8192 x 8192.
   TableLayout layout = {};
-  /// 0: one thread for each processor. The tables do not depend on it.
+  /// Threads to run; 0 means one for each processor. The tables do not depend on it.
   unsigned threads = 0;
-  /// Told the finished fraction now and then, from one thread at a time; may be empty.
+  /// Called with the finished fraction now and then, from one thread at a time; may be empty.
   std::function<void(double fraction)> progress = {};
 };
 
 struct BuiltTables {
   std::shared_ptr<const SlopeTables> tables;
   Certificate certificate;
-  /// Integral of p22 as given, by which it was divided.
+  /// Integral of p22 over the slope plane as given, by which p22 was divided.
   double mass;
-  /// Largest relative error estimate of any integral behind the tables.
+  /// Largest relative error that the quadratures estimate for any integral behind the tables.
   double quadrature_error;
 };
 
-/// Tables of `distribution`, with their certificate. Throws std::invalid_argument for sizes outside
-/// their range, std::domain_error (naming the distribution and the reason) where p22 is negative or
-/// not a number, cannot be normalised or has an infinite mean slope.
+/// Builds the tables of `distribution`, with their certificate. Throws std::invalid_argument for
+/// sizes outside their range, and std::domain_error, which names the distribution and the reason,
+/// where p22 is negative or not a number, cannot be normalised or has an infinite mean slope.
 BuiltTables build_tables(const distributions::SlopeDistribution& distribution,
                          const BuildOptions& options = {});
 

@@ -26,11 +26,12 @@ constexpr int kHalvings = 30;
 constexpr double kNarrowest = 1e-6;
 // The panel that adds less than this, a tenth of a rounding, is the last one.
 constexpr double kNegligible = 1e-17;
-// The Gauss-Kronrod rule halves a panel at most twice to reach the tolerance. The panels are such
-// that it rarely does; near a singular break it would halve forever without effect.
+// The Gauss-Kronrod rule halves a panel at most twice to reach the tolerance, so that a panel next
+// to a singular break does not cost without bound.
 constexpr double kTolerance = 1e-13;
 constexpr unsigned kMostBisections = 2;
-// Densities below this begin to be denormal once they are multiplied by weights and widths.
+// A smaller marginal density counts as none: this leaves 58 decades above the smallest normal
+// number for the weights and widths that it is multiplied by.
 constexpr double kSmallestDensity = 1e-250;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 

@@ -1,4 +1,4 @@
-// How the distribution of y given x depends on x.
+// Compares the conditionals at several slopes x.
 #include "vndf/precompute/conditional_shape.h"
 
 #include <algorithm>
@@ -11,15 +11,16 @@
 namespace vndf::precompute {
 namespace {
 
-constexpr double kPlaces[] = {0.25, 1, 3};  // slopes at which the conditional is looked at
-constexpr int kProbabilities = 24;
+constexpr double kPlaces[] = {0.25, 1,
+                              3};   // slopes x whose conditionals are compared with that at 0
+constexpr int kProbabilities = 24;  // columns at which they are compared
 
-/// The width of the conditional at x: its mass over its density at y = 0.
+/// Returns the width of the conditional at x, which is its mass over its density at y = 0.
 double width(const UnitSlopes& slopes, double x) {
   return slopes.density(x).value / slopes.p22(x);
 }
 
-/// B with width(x)^2 = width(0)^2 (1 + B x^2) at every place, if there is one.
+/// Returns B with width(x)^2 = width(0)^2 (1 + B x^2) at every place, if there is one.
 std::optional<double> quadratic_growth(const UnitSlopes& slopes) {
   constexpr double kSame = 1e-8;
   const double at_zero = width(slopes, 0);
@@ -61,8 +62,8 @@ bool same_everywhere(const UnitSlopes& slopes, const ConditionalScale<double>& s
 
 ConditionalShape conditional_shape(const UnitSlopes& slopes) {
   ConditionalShape shape{plain_scale(slopes)};
-  // A break makes a kink in y that moves with x, but the end of a compact distribution is the
-  // scale.
+  // A break makes a kink in y that moves with x. The end of a compact distribution is none, because
+  // it is the scale itself.
   const bool bounded = std::isfinite(slopes.support());
   if (slopes.distribution().breaks().size() > (bounded ? 1 : 0)) return shape;
   const auto growth = bounded ? shape.scale.quadratic : quadratic_growth(slopes);

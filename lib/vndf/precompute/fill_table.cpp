@@ -1,4 +1,4 @@
-// Fills one table.
+// Computes the rows of a table on several threads and joins them.
 #include "vndf/precompute/fill_table.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ double coordinate(std::size_t i, std::size_t n) {
   return static_cast<double>(i) / static_cast<double>(n - 1);
 }
 
-/// Probabilities of the columns of a table.
+/// Returns the probabilities of the columns of a table.
 std::vector<Probability<double>> columns_of(const RowSource& source, std::size_t columns) {
   std::vector<Probability<double>> u;
   for (std::size_t j = 0; j < columns; ++j)
@@ -33,7 +33,7 @@ std::vector<V> joined(const Rows& rows, std::size_t columns) {
     const auto begin = static_cast<std::ptrdiff_t>(values.size());
     std::transform(last->begin(), last->end(), std::back_inserter(values),
                    [](double v) { return static_cast<V>(v); });
-    // Neighbours may lie closer than root finding tells apart.
+    // Root finding may swap two values that lie within its error, but a table must not decrease.
     std::partial_sum(values.begin() + begin, values.end(), values.begin() + begin,
                      [](V below, V v) { return std::max(below, v); });
   }

@@ -1,4 +1,4 @@
-// Fills one table: places its rows, makes each of them, and joins them.
+// Fills one table: places its rows, computes each of them, and joins them.
 #pragma once
 
 #include <cstddef>
@@ -13,22 +13,22 @@ namespace vndf::precompute {
 
 struct TableLayout {
   std::size_t rows = 1024, columns = 1024;
-  /// Values in double precision instead of single.
+  /// Whether values are kept in double precision instead of single.
   bool in_double = false;
 };
 
-/// A table with the knots of its rows.
+/// A table with the knots of the axis on which its rows lie.
 struct PlacedTable {
   QuantileTable table;
   std::vector<RowKnot> knots = {};
 };
 
-/// The table of `source`, its rows placed where they err least. Rows where no sample lands repeat
-/// the row before them.
+/// Fills the table of `source`, with its rows where they err least (place_rows.h). Rows at which no
+/// sample lands repeat the row before them.
 PlacedTable fill_table(const RowSource& source, const TableLayout& layout,
                        const support::Workers& workers);
 
-/// The table of a source whose rows are all the same: its row at base 0 repeated.
+/// Fills the table of a source whose rows are all equal with its row at base coordinate 0.
 QuantileTable fill_with_one_row(const RowSource& source, const TableLayout& layout);
 
 }  // namespace vndf::precompute

@@ -1,4 +1,5 @@
-// How far D, Lambda and pdf of a sampler are from the exact functions, whatever the sampler is.
+// Measures D, Lambda and pdf of a sampler against the exact functions, for any sampler. A renderer
+// weights its samples with these, so that their errors become errors of brightness.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +24,7 @@ class FunctionErrors {
   FunctionErrors(const UnitSlopes& slopes, const Sampler& sampler)
       : slopes_(slopes), sampler_(sampler) {}
 
-  /// Sets the figures of `certificate` that are of functions.
+  /// Sets max_d_error, max_lambda_error and max_pdf_error of `certificate`.
   void measure(Certificate& certificate, const support::Workers& workers) const {
     const double farthest = farthest_slope();
     certificate.max_d_error = largest(workers, [&](std::size_t k) {
@@ -41,10 +42,11 @@ class FunctionErrors {
   }
 
  private:
-  static constexpr std::size_t kPoints = 4000;
+  static constexpr std::size_t kPoints = 4000;  // of each function
+  // D is measured where at least this is left of the partial moment of slopes beyond.
   static constexpr double kNdfTail = 1e-12;
 
-  /// asinh of the radius to which D is judged.
+  /// asinh of the radius up to which D is measured.
   double farthest_slope() const {
     double farthest = 0;
     while (slopes_.m(farthest) > kNdfTail && farthest < 16) farthest += 0.01;
@@ -77,8 +79,8 @@ class FunctionErrors {
     return std::abs(double{sampler_.lambda(w, {1, 1})} - exact) / (1 + exact);
   }
 
-  /// Relative to the density that the normal would have if it faced wi: near the edge of visibility
-  /// dot(wi, wm) has only absolute precision.
+  /// The error is relative to the density that the normal would have if it faced wi, because near
+  /// the edge of visibility dot(wi, wm) has only absolute precision.
   double pdf_error(double theta, float u1, float u2) const {
     const Vec3<float> wi{static_cast<float>(std::sin(theta)), 0,
                          static_cast<float>(std::cos(theta))};

@@ -1,4 +1,4 @@
-// A costly density in the form of a curve.
+// Samples a costly density into a curve.
 #include "vndf/precompute/interpolated_density.h"
 
 #include <cmath>
@@ -8,7 +8,9 @@
 namespace vndf::precompute {
 namespace {
 
-constexpr std::size_t kNodes = 8192;
+constexpr std::size_t kNodes = 8192;  // of each segment
+// The curve ends at sinh(40) = 1e17 typical slopes, or before, where the density is nearly lost in
+// double precision.
 constexpr double kFarthestAsinh = 40;
 constexpr double kSmallestDensity = 1e-290;
 
@@ -41,7 +43,7 @@ std::unique_ptr<distributions::SlopeDistribution> interpolated_density(
   while (!(density(end) > kSmallestDensity) && end > 1e-3) end *= 0.98;
   const auto ends = segment_ends(d, scale, end);
   const CurveOptions options{.nodes = kNodes, .open = std::isinf(d.support()), .cusp = true};
-  // A singular centre is approached, not reached.
+  // A pole at the centre has no logarithm, so its first node lies next to it.
   const auto log_density = [&](double a) {
     const double value = density(a);
     return std::log(std::isinf(value) ? density(1e-12) : value);

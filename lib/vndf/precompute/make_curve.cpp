@@ -1,4 +1,4 @@
-// Samples the logarithm of a positive function of a slope into a LogCurve.
+// Samples each segment of a curve on several threads.
 #include "vndf/precompute/make_curve.h"
 
 #include <algorithm>
@@ -12,6 +12,7 @@ namespace {
 
 using Segment = LogCurveSegment<double>;
 
+// exp(700) and exp(-700) are in the range of double precision; this stands for infinity and 0.
 constexpr double kLargestLog = 700;
 // Breaks are approached to this fraction of the segment, so that each side of a jump is sampled on
 // its own side.

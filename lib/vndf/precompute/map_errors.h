@@ -1,6 +1,8 @@
-// How far a sampler's map u -> x(u) is from the exact quantile function, by the exact CDF of what
-// it returns (for the error in u see the accuracy section of the README), and the places off the
-// grid of a table at which that is asked.
+// Errors of a sampler's map u -> x(u), by the exact CDF of the slopes x that it returns, and places
+// off the grid of a table at which to measure them.
+//
+// The u-error |CDF(x(u)) - u| is the Kolmogorov distance between the sampled and the exact
+// distribution. It is finite in tails where the difference of slopes has no bound.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +16,7 @@
 
 namespace vndf::precompute {
 
-/// The probability `u`, and that of complement `q`: each keeps the digits of what it is given.
+/// The probability `u`, or that of complement `q`. Each keeps all digits of the smaller of the two.
 inline Probability<double> from_tail(double u) {
   return {u, 1 - u};
 }
@@ -22,19 +24,19 @@ inline Probability<double> from_complement(double q) {
   return {1 - q, q};
 }
 
-/// CDF(x(u)) - u without cancellation at either end; `u` is what the sampler was given.
+/// CDF(x(u)) - u without cancellation at either end. `u` is what the sampler was given.
 inline double u_error(const Probability<double>& cdf, const Probability<double>& u) {
   return u.u < 0.5 ? cdf.u - u.u : u.complement - cdf.complement;
 }
 
-/// `error`, or the largest there is where it is no number: what a sampler does not give is no small
-/// error.
+/// Returns `error`, or infinity where it is not a number: a sampler that returns no slope must not
+/// pass for a good one.
 inline double error_or_largest(double error) {
   return std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
 }
 
-/// |d CDF(x(u)) / du - 1| by a central difference, for u in (0, 1); `cdf_at(u)` is CDF(x(u)) of the
-/// map in double precision.
+/// |d CDF(x(u)) / du - 1|, the relative error of the sampled density, by a central difference at u
+/// in (0, 1). `cdf_at(u)` is CDF(x(u)) of the map in double precision.
 template <class Cdf>
 double density_error(const Cdf& cdf_at, const Probability<double>& u) {
   const double h = 1e-4 * std::min(u.u, u.complement);
@@ -42,9 +44,9 @@ double density_error(const Cdf& cdf_at, const Probability<double>& u) {
   return std::abs((u_error(cdf_at(above), above) - u_error(cdf_at(below), below)) / (2 * h));
 }
 
-/// Solves mass(e_hat) = e for increasing mass and returns e_hat / e, the sampled over the exact
-/// mass of a tail: to 6e-8 of the logarithm of `farthest`, and never beyond [1 / farthest,
-/// farthest].
+/// Returns the sampled over the exact mass of the tail beyond the slope of exact mass `e`. That is
+/// e_hat / e with mass(e_hat) = e, where `mass` increases. The ratio is clamped to [1 / farthest,
+/// farthest]; the error of its logarithm is 6e-8 times that of `farthest`.
 template <class Mass>
 double tail_ratio(Mass mass, double e, double farthest) {
   double low = std::log(e / farthest), high = std::log(e * farthest);
@@ -60,8 +62,8 @@ inline void keep_farthest(double& ratio, double candidate) {
   if (std::abs(std::log(candidate)) > std::abs(std::log(ratio))) ratio = candidate;
 }
 
-/// Row coordinates off the grid of `rows` nodes: `count` golden ones and the middles of the
-/// outermost cells.
+/// Returns row coordinates off the grid of `rows` nodes: `count` ones of the golden sequence and
+/// the middles of the outermost cells.
 inline std::vector<double> off_grid_rows(std::size_t rows, std::size_t count) {
   constexpr std::size_t kEdgeRows = 12;
   std::vector<double> places;
@@ -74,7 +76,7 @@ inline std::vector<double> off_grid_rows(std::size_t rows, std::size_t count) {
   return places;
 }
 
-/// Adds the tails from 1e-9 to 1e-2, evenly in their logarithm, at both ends.
+/// Adds probabilities from 1e-9 to 1e-2, equidistant in their logarithm, at both ends.
 inline void add_tails(std::vector<Probability<double>>& places) {
   constexpr std::size_t kSteps = 24;
   for (std::size_t k = 0; k <= kSteps; ++k) {

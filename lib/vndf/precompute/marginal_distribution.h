@@ -3,6 +3,8 @@
 //
 //   V(x) = [cos F(x) + sin M(x)] / N  for x <= c,   N = cos F(c) + sin M(c),   F = 1 - Q
 //   1 - V(x) = sin int_x^c (c - t) P(t) dt / N
+//
+// The second form is the one without cancellation near x = c.
 #pragma once
 
 #include "vndf/precompute/unit_slopes.h"
@@ -12,19 +14,20 @@ namespace vndf::precompute {
 
 class MarginalDistribution {
  public:
-  /// Seen from cotangent `c` >= 0, infinite (normal incidence) and 0 (grazing) included. `slopes`
-  /// must outlive this object.
+  /// Takes the cotangent `c` >= 0 of the incident direction, infinite (normal incidence) and 0
+  /// (grazing) included. `slopes` must outlive this object.
   MarginalDistribution(const UnitSlopes& slopes, const BoundedSlope<double>& c);
 
   /// asinh of the largest visible slope: that of c, infinite at normal incidence, or the largest
-  /// slope of the distribution.
+  /// slope of the distribution if that is smaller.
   double farthest() const { return farthest_; }
 
-  /// V and 1 - V at sinh(a), a <= farthest(). Maximum error: 1e-12, in both tails relative.
+  /// V and 1 - V at sinh(a), a <= farthest(). Maximum error: 1e-12, relative to the smaller of the
+  /// two.
   Probability<double> cdf(double a) const;
 
-  /// a with V(sinh(a)) = u, -infinity at u = 0 and farthest() at u = 1: bracketed root finding to
-  /// 1e-12 in u. `guess` is any number; a near one saves time.
+  /// a with V(sinh(a)) = u, to 1e-12 in u: -infinity at u = 0 and farthest() at u = 1. `guess` is
+  /// any number; a near one saves time.
   double quantile(const Probability<double>& u, double guess) const;
 
  private:

@@ -1,4 +1,4 @@
-// The map through which the values of a marginal table go.
+// Inverts the base distribution at equidistant columns.
 #include "vndf/precompute/marginal_map.h"
 
 #include <algorithm>
@@ -13,10 +13,14 @@
 namespace vndf::precompute {
 namespace {
 
-constexpr double kPanel = 0.04;    // of asinh(slope)
-constexpr double kFarthest = 700;  // exp(-700) is the smallest number that is told from 0
-constexpr int kHalvings = 40;      // of the panels towards 0 and the breaks
-// The first node has a base probability of 1e-12 or more; what is below this matters to none.
+// Width of the panels in asinh(slope). Smooth densities need no less than 0.25, as in
+// conditional_distribution.cpp; narrower panels follow a narrow part of a mixture wherever it lies.
+constexpr double kPanel = 0.04;
+constexpr double kFarthest = 700;  // exp(-700) is near the end of double precision
+// Panels are halved this often towards 0 and the breaks, down to 4e-14.
+constexpr int kHalvings = 40;
+// The base probability of the first of kMapPieces columns is above 1e-15, and panels beyond which
+// less of the moment is left than this would change nothing.
 constexpr double kSmallestMoment = 1e-16;
 
 /// The density of which the map is the quantile function, P / sigma over a = asinh(slope), up to a
@@ -34,7 +38,7 @@ double quantile(const TabulatedCdf<BaseDensity>& base, const Probability<double>
                    : base.inverse_above(p.complement * base.above_first(), kMiddle);
 }
 
-/// Edges of panels over asinh(slope) >= 0, narrower towards 0 and the breaks.
+/// Returns edges of panels over asinh(slope) >= 0, narrower towards 0 and the breaks.
 std::vector<double> panel_edges(const UnitSlopes& slopes) {
   const double end = std::min(kFarthest, std::asinh(slopes.support()));
   std::vector<double> edges{0, end};
@@ -63,8 +67,8 @@ std::vector<double> mirrored(const std::vector<double>& half) {
   return edges;
 }
 
-/// Tangents of the first and the last node, where those of the map itself may be 0 or infinite: of
-/// the parabola through the node with the value and tangent of its neighbour.
+/// Sets the tangents of the first and the last node to those of the parabola through the value and
+/// tangent of the neighbour, because those of the map itself may be 0 or infinite.
 void set_end_tangents(std::vector<CubicNode<double>>& nodes) {
   const auto parabola = [](const auto& end, const auto& beside) {
     return 2 * std::abs(beside.value - end.value) - beside.tangent;
@@ -74,7 +78,7 @@ void set_end_tangents(std::vector<CubicNode<double>>& nodes) {
   nodes[last].tangent = parabola(nodes[last], nodes[last - 1]);
 }
 
-/// Limits the tangents to what keeps the map increasing.
+/// Clamps the tangents to what keeps the map increasing.
 void limit_tangents(std::vector<CubicNode<double>>& nodes) {
   const auto value = [&](std::size_t k) { return nodes[k].value; };
   for (std::size_t k = 0; k < nodes.size(); ++k)

@@ -22,13 +22,13 @@ Probability<float> narrow(const Probability<double>& p) {
   return {static_cast<float>(p.u), static_cast<float>(p.complement)};
 }
 
-/// A row of which the CDFs are known, with complement, of what the sampler returns for u, in single
-/// and in double precision.
+/// A row by its exact CDFs at the slopes that the sampler returns in single and in double
+/// precision, both as functions of u.
 template <class FloatMap, class DoubleMap>
 class PairRow final : public RowMap {
  public:
-  PairRow(FloatMap in_single, DoubleMap in_double, bool judged_in_double)
-      : single_(in_single), double_(in_double), in_double_(judged_in_double) {}
+  PairRow(FloatMap in_single, DoubleMap in_double, bool measured_in_double)
+      : single_(in_single), double_(in_double), in_double_(measured_in_double) {}
 
   Probability<double> given(const Probability<double>& u) const override {
     return in_double_ ? u : widened(narrow(u));
@@ -45,16 +45,17 @@ class PairRow final : public RowMap {
  private:
   FloatMap single_;
   DoubleMap double_;
-  bool in_double_;  // the precision that is judged
+  bool in_double_;  // the precision that is measured
 };
 
-/// Everything that judging needs, made once.
-struct Judge {
+/// The pair as a renderer runs it, with the rows that are compared with the exact distribution.
+struct MeasuredPair {
   const UnitSlopes& slopes;
   TabulatedSampler<float> sampler;
   TabulatedSampler<double> sampler_double;
 
-  /// A direction of the unit-mean-slope configuration, as floats that are then taken as exact.
+  /// A direction stretched to unit mean slope. Its parts are floats and count as exact, so that
+  /// their rounding is no error of the tables.
   struct Direction {
     float z, s;
   };
@@ -72,7 +73,7 @@ struct Judge {
     const BoundedSlope<float> c = bounded_cotangent(w.z, w.s);
     const BoundedSlope<double> exact = bounded_cotangent<double>(w.z, w.s);
     const MarginalDistribution visible(slopes, exact);
-    // From the bounded form, for the slope itself may be beyond the range of single precision.
+    // From the bounded form, because the slope itself may be beyond the range of single precision.
     const auto cdf_of = [&](const auto& x) {
       const double sigma = x.sigma;
       return visible.cdf(std::min(std::log(sigma / (1 - sigma)), visible.farthest()));
@@ -85,8 +86,8 @@ struct Judge {
     };
     const double theta = std::atan2(w.s / slopes.mean_slope(), w.z) / kDegree;
     const QuantileTable& table = sampler.tables().marginal;
-    return judge_row(PairRow(sampled, sampled_double, table.in_double()),
-                     {theta, marginal_column_inverse<double>, table.columns()}, index);
+    return measure_row(PairRow(sampled, sampled_double, table.in_double()),
+                       {theta, marginal_column_inverse<double>, table.columns()}, index);
   }
 
   TableErrors conditional_row(double x, std::size_t index) const {
@@ -109,33 +110,33 @@ struct Judge {
       return cdf_of(folded.sign, sampler_double.map().conditional(exact, folded.p));
     };
     const double place = exact.slope() * slopes.mean_slope();
-    return judge_row(PairRow(sampled, sampled_double, tables.conditional.in_double()),
-                     {place, conditional_u2, tables.conditional.columns()}, index);
+    return measure_row(PairRow(sampled, sampled_double, tables.conditional.in_double()),
+                       {place, conditional_u2, tables.conditional.columns()}, index);
   }
 };
 
-TableErrors judge_marginal(const Judge& judge, const support::Workers& workers) {
-  const PairCoordinates& at = judge.sampler.map().coordinates();
-  std::vector<Judge::Direction> directions;
-  for (const double row : off_grid_rows(judge.sampler.tables().marginal.rows(), kJudgedRows))
-    directions.push_back(Judge::direction(at.marginal_row_inverse(row)));
+TableErrors marginal_errors(const MeasuredPair& pair, const support::Workers& workers) {
+  const PairCoordinates& at = pair.sampler.map().coordinates();
+  std::vector<MeasuredPair::Direction> directions;
+  for (const double row : off_grid_rows(pair.sampler.tables().marginal.rows(), kMeasuredRows))
+    directions.push_back(MeasuredPair::direction(at.marginal_row_inverse(row)));
   for (const double degrees : kHardIncidences)
-    directions.push_back(judge.direction(degrees * kDegree));
-  return judge_rows(directions.size(), workers,
-                    [&](std::size_t i) { return judge.marginal_row(directions[i], i); });
+    directions.push_back(pair.direction(degrees * kDegree));
+  return measure_rows(directions.size(), workers,
+                      [&](std::size_t i) { return pair.marginal_row(directions[i], i); });
 }
 
-TableErrors judge_conditional(const Judge& judge, const support::Workers& workers) {
-  const SlopeTables& tables = judge.sampler.tables();
-  const PairCoordinates& at = judge.sampler.map().coordinates();
+TableErrors conditional_errors(const MeasuredPair& pair, const support::Workers& workers) {
+  const SlopeTables& tables = pair.sampler.tables();
+  const PairCoordinates& at = pair.sampler.map().coordinates();
   std::vector<double> reached;
-  for (const double row : off_grid_rows(tables.conditional.rows(), kJudgedRows)) {
+  for (const double row : off_grid_rows(tables.conditional.rows(), kMeasuredRows)) {
     const double x = at.conditional_row_inverse(row);
     const auto sigma = static_cast<float>(bounded_from_slope(x).sigma);
-    if (judges_conditional(judge.slopes, x, sigma)) reached.push_back(x);
+    if (measures_conditional(pair.slopes, x, sigma)) reached.push_back(x);
   }
-  return judge_rows(reached.size(), workers,
-                    [&](std::size_t i) { return judge.conditional_row(reached[i], i); });
+  return measure_rows(reached.size(), workers,
+                      [&](std::size_t i) { return pair.conditional_row(reached[i], i); });
 }
 
 }  // namespace
@@ -143,11 +144,12 @@ TableErrors judge_conditional(const Judge& judge, const support::Workers& worker
 Certificate measure_certificate(const UnitSlopes& slopes,
                                 const std::shared_ptr<const SlopeTables>& tables,
                                 const support::Workers& workers) {
-  const Judge judge{slopes, TabulatedSampler<float>(tables), TabulatedSampler<double>(tables)};
+  const MeasuredPair pair{slopes, TabulatedSampler<float>(tables),
+                          TabulatedSampler<double>(tables)};
   Certificate certificate;
-  certificate.marginal = judge_marginal(judge, workers);
-  certificate.conditional = judge_conditional(judge, workers);
-  FunctionErrors(slopes, judge.sampler).measure(certificate, workers);
+  certificate.marginal = marginal_errors(pair, workers);
+  certificate.conditional = conditional_errors(pair, workers);
+  FunctionErrors(slopes, pair.sampler).measure(certificate, workers);
   return certificate;
 }
 

@@ -1,5 +1,6 @@
-// Chooses where the rows of a table lie, so that linear interpolation between them errs by about as
-// much everywhere: the error of an interval of base coordinates falls with the square of its rows.
+// Chooses where the rows of a table lie. The error of linear interpolation falls with the square of
+// the number of rows in an interval, so rows are moved to where a table changes fast, until all
+// intervals err by about as much.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +12,8 @@
 
 namespace vndf::precompute {
 
-/// Knots for `rows` rows; none where equidistant rows would err less than three times as much.
+/// Returns the knots of the axis of `rows` rows, or none where equidistant rows would err less than
+/// three times as much: equidistant rows cost no search when they are read.
 std::vector<RowKnot> place_rows(const RowSource& source, std::size_t rows,
                                 const support::Workers& workers);
 

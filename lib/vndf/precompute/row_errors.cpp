@@ -1,4 +1,4 @@
-// How far one row of a sampler's map is from the exact law.
+// Measures one row of a sampler's map against the exact distribution.
 #include "vndf/precompute/row_errors.h"
 
 #include <algorithm>
@@ -12,11 +12,11 @@
 namespace vndf::precompute {
 namespace {
 
-constexpr std::size_t kUniform = 192;    // u uniform, for the mean
-constexpr std::size_t kColumns = 384;    // columns uniform, for the maximum
+constexpr std::size_t kUniform = 192;    // places uniform in u, for the mean
+constexpr std::size_t kColumns = 384;    // places uniform over the columns, for the maximum
 constexpr std::size_t kEdgeColumns = 3;  // first and last cells, each at four places
-constexpr double kDensityEnd = 1e-6;     // the density is judged between this and 1 - this
-constexpr double kSmallestTail = 1e-9;   // of the slopes x at which slope y is judged
+constexpr double kDensityEnd = 1e-6;     // the density is measured between this and 1 - this
+constexpr double kSmallestTail = 1e-9;   // the partial moment beyond a slope x that is measured
 
 template <class Mass>
 TailRatios tail_ratios(Mass mass) {
@@ -30,7 +30,7 @@ void keep_farthest_of_each(TailRatios& ratios, const TailRatios& candidate) {
   keep_farthest(ratios.e6, candidate.e6);
 }
 
-/// The places in (0, 1) at which one row is judged, beyond those uniform in u.
+/// Returns the places in (0, 1) at which one row is measured beside those uniform in u.
 std::vector<Probability<double>> hard_probabilities(const RowPlaces& row, double shift) {
   std::vector<Probability<double>> places;
   for (std::size_t k = 0; k < kColumns; ++k)
@@ -69,9 +69,9 @@ Probability<double> conditional_u2(double t) {
   return lower ? from_tail(half) : from_complement(half);
 }
 
-TableErrors judge_row(const RowMap& map, const RowPlaces& places, std::size_t index) {
+TableErrors measure_row(const RowMap& map, const RowPlaces& places, std::size_t index) {
   TableErrors errors;
-  const auto judge = [&](const Probability<double>& exact_u) {
+  const auto measure = [&](const Probability<double>& exact_u) {
     const Probability<double> u = map.given(exact_u);
     const double error = error_or_largest(std::abs(u_error(map.cdf(u), u)));
     if (error > errors.max_u_error) {
@@ -87,21 +87,21 @@ TableErrors judge_row(const RowMap& map, const RowPlaces& places, std::size_t in
   };
   const double shift = support::golden(index, 0.25);
   for (std::size_t k = 0; k < kUniform; ++k)
-    errors.mean_u_error += judge(from_tail(support::golden(k, shift))) / kUniform;
-  for (const auto& u : hard_probabilities(places, shift)) judge(u);
+    errors.mean_u_error += measure(from_tail(support::golden(k, shift))) / kUniform;
+  for (const auto& u : hard_probabilities(places, shift)) measure(u);
   errors.lower = tail_ratios([&](double e) { return map.tail_cdf(from_tail(e)).u; });
   errors.upper = tail_ratios([&](double e) { return map.tail_cdf(from_complement(e)).complement; });
   return errors;
 }
 
-TableErrors judge_rows(std::size_t count, const support::Workers& workers,
-                       const std::function<TableErrors(std::size_t)>& row) {
-  std::vector<TableErrors> judged(count);
-  support::parallel_for(count, workers, [&](std::size_t i) { judged[i] = row(i); });
-  return combine(judged);
+TableErrors measure_rows(std::size_t count, const support::Workers& workers,
+                         const std::function<TableErrors(std::size_t)>& row) {
+  std::vector<TableErrors> errors(count);
+  support::parallel_for(count, workers, [&](std::size_t i) { errors[i] = row(i); });
+  return combine(errors);
 }
 
-bool judges_conditional(const UnitSlopes& slopes, double x, float sigma) {
+bool measures_conditional(const UnitSlopes& slopes, double x, float sigma) {
   if (sigma == 0.5f && std::isinf(slopes.p22(0))) return false;
   return slopes.m(std::asinh(x)) > kSmallestTail && ConditionalDistribution::reachable(slopes, x);
 }

@@ -1,6 +1,6 @@
-// How far one row of a sampler's map is from the exact law, whatever the sampler is: the u-errors
-// of what it returns, its density and its tails, at places that no grid of columns has a period
-// with.
+// Measures one row of a sampler's map from u to slopes against the exact distribution, for any
+// sampler: the u-errors of the slopes it returns, its density, and the masses of its tails. The
+// places have no common period with any grid of columns.
 #pragma once
 
 #include <array>
@@ -16,57 +16,60 @@
 namespace vndf::precompute {
 
 /// One row of a map: slope x over all u1 at one incidence, or slope y over all u2 at one slope x.
-/// CDFs are those of the exact law at the slope that the sampler returns, with their complements.
+/// Each function returns the exact CDF, with its complement, at the slope that the sampler returns.
 class RowMap {
  public:
   virtual ~RowMap() = default;
 
-  /// `u` as the sampler takes it.
+  /// Returns `u` as the sampler takes it, rounded to its precision.
   virtual Probability<double> given(const Probability<double>& u) const = 0;
-  /// At a `u` of given().
+  /// Takes a `u` that given() has returned.
   virtual Probability<double> cdf(const Probability<double>& u) const = 0;
-  /// At any `u` of a tail, where steps of the random numbers at the end u = 1 are no error of the
-  /// map.
+  /// Takes any `u` of a tail. Random numbers in single precision come in steps near u = 1, which
+  /// are no error of the map.
   virtual Probability<double> tail_cdf(const Probability<double>& u) const = 0;
-  /// At `u` very near `place`, of the piece of the map there in double precision, so that it may be
-  /// differentiated.
+  /// Follows the piece of the map at `place` in double precision to a `u` very near it, so that it
+  /// can be differentiated.
   virtual Probability<double> smooth_cdf(const Probability<double>& u,
                                          const Probability<double>& place) const = 0;
 };
 
-/// Where a row is judged.
+/// Where a row is measured, beside places that are uniform in u.
 struct RowPlaces {
-  double row;  ///< what the certificate calls it
-  /// The graded axis of columns and their number: its places beyond those uniform in u.
+  double row;  ///< the name of the row in the certificate: its angle or its slope
+  /// The graded axis of columns, and how many columns it has.
   Probability<double> (*column_inverse)(double);
   std::size_t columns;
-  /// Where cells may begin whatever their number.
+  /// Places where cells may begin, whatever their number.
   std::vector<Probability<double>> edges = {};
 };
 
-/// Inverse of the conditional column on the whole of u2: [0, 1/2] the lower half of the rows.
+/// Inverse of the conditional column over the whole of u2. [0, 1/2] is the lower half of the rows,
+/// which the table leaves out by symmetry.
 Probability<double> conditional_u2(double t);
 
-/// `index` of the row shifts its places.
-TableErrors judge_row(const RowMap& map, const RowPlaces& places, std::size_t index);
+/// Measures one row. `index` is the number of the row, by which its places are shifted so that no
+/// two rows are measured at the same ones.
+TableErrors measure_row(const RowMap& map, const RowPlaces& places, std::size_t index);
 
-/// Those of a table of `count` rows, of which `row` gives the errors of each.
-TableErrors judge_rows(std::size_t count, const support::Workers& workers,
-                       const std::function<TableErrors(std::size_t)>& row);
+/// Measures `count` rows, the errors of which `row` returns, and keeps the largest of each error
+/// and the mean of the means.
+TableErrors measure_rows(std::size_t count, const support::Workers& workers,
+                         const std::function<TableErrors(std::size_t)>& row);
 
-/// Farthest ratio of the mass of a tail that is told from others.
+/// Ratios between the sampled and the exact mass of a tail are clamped to this and its inverse.
 inline constexpr double kFarthestRatio = 8;
 
-/// Golden rows of each table at which it is judged.
-inline constexpr std::size_t kJudgedRows = 420;
+/// Golden rows of each table that are measured.
+inline constexpr std::size_t kMeasuredRows = 420;
 
-/// Angles of incidence, in degrees, at which slope x is judged beside them.
+/// Angles of incidence, in degrees, that are measured beside the golden rows.
 inline constexpr std::array<double, 9> kHardIncidences{0.0,  1e-7,  1e-3,   0.2, 0.3,
                                                        89.9, 89.99, 89.999, 90.0};
 
-/// Whether slope y is judged given slope x, which a table holds as `sigma` in single precision:
-/// where 1e-9 of the slopes x lie beyond, and not on a pole, which leaves no law or one that none
-/// samples.
-bool judges_conditional(const UnitSlopes& slopes, double x, float sigma);
+/// Whether slope y is measured given the slope `x`, which a table keeps as `sigma` in single
+/// precision. It is unless less than 1e-9 of the partial moment lies beyond x, which no sampler
+/// reaches, or x is a pole of p22, where y has no distribution.
+bool measures_conditional(const UnitSlopes& slopes, double x, float sigma);
 
 }  // namespace vndf::precompute

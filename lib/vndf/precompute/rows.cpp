@@ -1,4 +1,4 @@
-// The rows of the two tables.
+// Computes rows of the two tables by inverting their distributions column by column.
 #include "vndf/precompute/rows.h"
 
 #include <algorithm>
@@ -12,14 +12,16 @@
 namespace vndf::precompute {
 namespace {
 
-// The last row of the conditional table stands for |x| = infinity, where at this slope all limits
-// are reached to one part in 1e16, or for the largest slope R, where at this part of it they are to
-// 1e-8; nearer to it r = sqrt(x^2 + y^2) would be rounded beyond R.
+// The last row of the conditional table stands for |x| = infinity or for the largest slope R, where
+// the conditional is a limit. At this slope a power tail has reached its limit to one part in 1e16,
+// and at this part of R a compact distribution has to 1e-8. Nearer to R, r = sqrt(x^2 + y^2) would
+// be rounded beyond it.
 constexpr double kLargestSlope = 1e8;
 constexpr double kInsideSupport = 1 - 1e-8;
-// Where less of the partial moment is left, no sample lands.
+// No sample lands where less than this is left of the partial moment, so the rows of the
+// conditional table end there: random numbers in double precision end at 1e-16.
 constexpr double kNoMass = 1e-60;
-constexpr double kFarthestStep = 1e-3;
+constexpr double kFarthestStep = 1e-3;  // of the search for that place, in asinh
 
 using Probabilities = std::vector<Probability<double>>;
 
@@ -50,8 +52,8 @@ std::vector<double> conditional_values(const UnitSlopes& slopes,
   return values;
 }
 
-/// asinh of the slope beyond which no sample lands; infinite for power tails, whose conditionals
-/// have a limit.
+/// Returns asinh of the slope beyond which no sample lands. It is infinite for power tails, whose
+/// conditionals have a limit.
 double farthest_sampled(const UnitSlopes& slopes) {
   if (std::isfinite(slopes.support())) return std::asinh(slopes.support());
   if (std::isfinite(slopes.tail_exponent())) return std::numeric_limits<double>::infinity();

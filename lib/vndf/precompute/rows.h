@@ -11,22 +11,25 @@
 
 namespace vndf::precompute {
 
-/// A table whose rows can be made at any base coordinate.
+/// A table before its rows are placed: what its row at any base coordinate is.
 struct RowSource {
-  /// Values of the row at a base coordinate, at the columns whose probabilities are `u`; empty
-  /// where no sample lands.
+  /// Returns the values of the row at a base coordinate, at the columns whose probabilities are
+  /// `u`. The row is empty where no sample lands.
   std::function<std::vector<double>(double base, const std::vector<Probability<double>>& u)> row;
-  /// Inverse of the column coordinate.
+  /// The probability that a column coordinate in [0, 1] stands for.
   Probability<double> (*column_inverse)(double);
-  /// Largest base coordinate that matters: rows run from 0 to it.
+  /// Rows run from base coordinate 0 to this one. Nothing is sampled beyond it.
   double end = 1;
   /// Base coordinates, in (0, end), at which the table has a kink.
   std::vector<double> breaks = {};
 };
 
-/// Both refer to their arguments, which must outlive them: `map` is that of marginal_map.h, `scale`
-/// the unit of the slopes y.
+/// Rows of the marginal table, whose values go through `map` (marginal_map.h). Both arguments must
+/// outlive the result.
 RowSource marginal_rows(const UnitSlopes& slopes, const MonotoneMap& map);
+
+/// Rows of the conditional table, whose slopes y are in units of `scale`. Both arguments must
+/// outlive the result.
 RowSource conditional_rows(const UnitSlopes& slopes, const ConditionalScale<double>& scale);
 
 }  // namespace vndf::precompute

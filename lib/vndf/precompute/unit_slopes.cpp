@@ -1,4 +1,4 @@
-// A slope distribution brought to unit mass and unit mean slope.
+// Integrates a slope distribution and samples the curves of Q and M.
 #include "vndf/precompute/unit_slopes.h"
 
 #include <algorithm>
@@ -16,25 +16,29 @@
 namespace vndf::precompute {
 namespace {
 
+// Nodes of each segment of a curve, which give kCurveError (unit_slopes.h).
 constexpr std::size_t kNodes = 8192;
 // A power tail is straight in log Q over asinh(x) to x^-2, below rounding at sinh(20) = 2.4e8. A
 // light tail is followed until it is smaller than any probability that can matter.
 constexpr double kFarthestAsinh = 20;
 constexpr double kSmallestTail = 1e-250;
-// The quadrature's own errors are looked at where Q is above the smallest probability in a table.
+// The errors that the quadratures estimate are looked at in places where Q is above the smallest
+// probability in a table. Beyond them an integral has no digits to lose.
 constexpr double kSmallestProbability = 1e-12;
 constexpr std::size_t kErrorPlaces = 256;
-// A tail whose exponent is larger than this is as good as light.
+// A tail with a larger exponent counts as light: (1e-9)^(1/100) is 0.8, so that it ends within the
+// same octave for all probabilities that matter.
 constexpr double kLargestExponent = 100;
 
-// Probes of whether equidistant nodes resolve the curves, and the error in log Q that they may show
-// where Q is above exp(-35) = 6e-16.
+// Equidistant nodes are tried first and probed at these many places. Where Q is above
+// exp(-35) = 6e-16 they may show this error in log Q, or else the nodes are graded towards the
+// centre.
 constexpr int kProbes = 48;
 constexpr double kNegligibleLog = -35;
 constexpr double kResolved = 1e-12;
 
-/// Whether cubics between nodes `h` apart follow `f` over (0, end): their error is a 384th of
-/// the fourth difference. The probes crowd at the beginning, for the narrowest part of a density
+/// Whether cubics between nodes `h` apart follow `f` over (0, end). Their error is a 384th of the
+/// fourth difference. The probes crowd at the beginning, because the narrowest part of a density
 /// lies at its centre.
 bool resolved(const std::function<double(double)>& f, double end, double h) {
   for (int k = 0; k < kProbes; ++k) {
@@ -50,7 +54,7 @@ double relative_error(const distributions::Estimate& e) {
   return e.value > 0 ? e.error / e.value : 0;
 }
 
-/// Slopes that matter must have a double.
+/// Throws where slopes that matter are beyond the range of double precision.
 void require_range(const UnitSlopes& slopes) {
   constexpr double kFarthest = 700;  // asinh of 5e303
   constexpr double kLargestShare = 1e-9;
@@ -131,7 +135,8 @@ distributions::Estimate UnitSlopes::moment(double x) const {
 distributions::Estimate UnitSlopes::backfacing(double c) const {
   const double scale = 1 / (mass_ * mean_slope_);
   const double at = c * mean_slope_;
-  // M - c Q where both are known and the difference keeps its digits, as it does in a power tail.
+  // B = M - c Q where both are known and the difference keeps most of its digits, as it does in a
+  // power tail: at most three are lost.
   constexpr double kKept = 1e-3;
   if (const auto known = distribution_->marginals(at)) {
     const double difference = known->m - at * known->q;

@@ -1,7 +1,7 @@
-// A slope distribution brought to unit mass and unit mean slope E|X| = 1, with its one-dimensional
-// functions ready for the millions of evaluations that inversion needs: log Q and log M over
-// a = asinh(x), cubic Hermite in segments between the breaks of p22; P is the derivative of Q.
-// Slopes are in units of the mean slope throughout.
+// A slope distribution brought to unit mass and unit mean slope E|X| = 1. Its one-dimensional
+// functions are kept as curves, because inversion evaluates them millions of times: log Q and log M
+// over a = asinh(x), cubic Hermite in segments between the breaks of p22. P is the derivative of Q.
+// Slopes are in units of the mean slope throughout the builder.
 #pragma once
 
 #include <memory>
@@ -13,28 +13,30 @@
 
 namespace vndf::precompute {
 
-/// Largest relative error of q() and m() of a density without breaks: h^4 / 384 times a fourth
-/// derivative, 4 at most for the shipped distributions, at h = 20 / 8191; and the rounding of exp()
-/// of a large logarithm.
+/// Largest relative error of q() and m() of a density without breaks. It is h^4 / 384 times a
+/// fourth derivative, which is 4 at most for the shipped distributions, at h = 20 / 8191, and the
+/// rounding of exp() of a large logarithm.
 inline constexpr double kCurveError = 5e-13;
 
-/// The same for a mixture whose narrowest component is 100 times narrower than the widest.
+/// Largest relative error of q() and m() of a mixture whose narrowest component is 100 times
+/// narrower than the widest.
 inline constexpr double kMixtureCurveError = 1e-10;
 
-/// The same beyond the last node, sinh(20) = 2.4e8, per unit of asinh: the rounding of the tangent
-/// along which a power tail is continued.
+/// Largest relative error of q() and m() per unit of asinh beyond the last node, sinh(20) = 2.4e8.
+/// It is the rounding of the tangent along which a power tail is continued.
 inline constexpr double kContinuationError = 2e-11;
 
 class UnitSlopes {
  public:
   /// Integrates `d`, which must outlive this object. Throws std::domain_error as slope_mass() and
-  /// mean_slope() do, and where slopes that matter are above 5e303.
+  /// mean_slope() do, and where more than 1e-9 of the visible slopes at grazing incidence lie above
+  /// 5e303, the end of double precision.
   UnitSlopes(const distributions::SlopeDistribution& d, const support::Workers& workers);
 
   const distributions::SlopeDistribution& distribution() const { return *distribution_; }
-  /// int p22 over the slope plane, as given: the factor by which the density was divided.
+  /// The integral of p22 over the slope plane as given, by which the density was divided.
   double mass() const { return mass_; }
-  /// mu = E|X| of the distribution as given.
+  /// mu = E|X| of the distribution as given, in its own units of slope.
   double mean_slope() const { return mean_slope_; }
   /// Largest relative error that the quadrature estimates for P, Q and M at the nodes where Q is at
   /// least 1e-12, the smallest probability in a table.
@@ -42,7 +44,8 @@ class UnitSlopes {
 
   /// Largest slope, infinite where there is none.
   double support() const { return distribution_->support() / mean_slope_; }
-  /// Exponent kappa of a power tail, M(x) ~ x^-kappa; infinite for a lighter one.
+  /// Exponent kappa of a power tail, M(x) ~ x^-kappa; infinite where slopes are bounded or the
+  /// exponent is above 100.
   double tail_exponent() const;
 
   /// Density of slopes at radius r >= 0.
@@ -60,8 +63,8 @@ class UnitSlopes {
     return q > 0 ? -log_q_.log_slope_at(b) * q : 0;
   }
 
-  /// P, Q, M and c Lambda(c) at slopes >= 0, as the distribution knows them or straight from their
-  /// integrals.
+  /// P, Q, M and c Lambda(c) at slopes >= 0, not from the curves: as the distribution knows them in
+  /// closed form, or else by quadrature.
   distributions::Estimate density(double x) const;
   distributions::Estimate upper_tail(double x) const;
   distributions::Estimate moment(double x) const;

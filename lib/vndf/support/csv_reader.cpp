@@ -1,4 +1,4 @@
-// Lines of comma-separated numbers, read strictly.
+// Cuts a line at its commas and reads each number independently of the locale.
 #include "vndf/support/csv_reader.h"
 
 #include <charconv>
@@ -30,16 +30,13 @@ void split(std::string_view line, std::vector<std::string_view>& fields) {
 }  // namespace
 
 std::ifstream open_csv(const std::filesystem::path& path) {
-  const auto refuse = [&](const char* why) {
-    throw std::runtime_error(path.string() + ": " + why);
-  };
+  const auto fail = [&](const char* why) { throw std::runtime_error(path.string() + ": " + why); };
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) refuse("there is no such file; check the path");
-  if (!std::filesystem::is_regular_file(status))
-    refuse("it is not a file; give the path of a file");
+  if (!std::filesystem::exists(status)) fail("there is no such file; check the path");
+  if (!std::filesystem::is_regular_file(status)) fail("it is not a file; give the path of a file");
   std::ifstream stream(path, std::ios::binary);
-  if (!stream) refuse("it cannot be read; check its permissions");
+  if (!stream) fail("it cannot be read; check its permissions");
   return stream;
 }
 

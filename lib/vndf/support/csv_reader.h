@@ -1,6 +1,6 @@
-// Lines of comma-separated numbers, read strictly: blank lines, lines that start with '#', blanks
-// around fields, line ends of other systems and a byte order mark pass; anything else that is not
-// expected is refused with the file, the line and the rule.
+// Reads lines of comma-separated numbers, strictly. Blank lines, lines that start with '#', blanks
+// around fields, line ends of other systems and a byte order mark are skipped. Anything else that
+// is not expected is an error that names the file, the line and the rule.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@
 
 namespace vndf::support {
 
-/// Opens the file at `path` to be read by a CsvReader. Throws std::runtime_error, naming it, if it
-/// is no regular file or cannot be read.
+/// Opens the file at `path` for a CsvReader. Throws std::runtime_error, which names the file, if it
+/// is not a regular file or cannot be read.
 std::ifstream open_csv(const std::filesystem::path& path);
 
 class CsvReader {
@@ -22,17 +22,19 @@ class CsvReader {
   /// `name` stands for the file in messages. `stream` must outlive this object.
   CsvReader(std::istream& stream, std::string name) : stream_(stream), name_(std::move(name)) {}
 
-  /// Goes to the next line that says something; false at the end.
+  /// Goes to the next line that is neither blank nor a comment. Returns false at the end of the
+  /// stream. Throws std::runtime_error if the stream cannot be read.
   bool next_line();
-  /// Its text, and its fields; both valid until the next line.
+  /// The text of the line and its fields, without blanks around them. Both are valid until the next
+  /// line.
   std::string_view line() const { return line_; }
   const std::vector<std::string_view>& fields() const { return fields_; }
   std::size_t line_number() const { return line_number_; }
 
-  /// The finite number that `field` is.
+  /// Returns the number that `field` spells. Throws as fail_in_line() does unless it is finite.
   double number(std::string_view field) const;
 
-  /// Throw std::runtime_error with the file, or the file and the line, and `rule`.
+  /// Throw std::runtime_error with the file and `rule`, and with the line.
   [[noreturn]] void fail(const std::string& rule) const;
   [[noreturn]] void fail_in_line(const std::string& rule) const;
 

@@ -1,4 +1,4 @@
-// Runs independent pieces of work on several threads.
+// Threads take the next piece until none is left. The calling thread works too.
 #include "vndf/support/parallel.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace vndf::support {
 void parallel_for(std::size_t count, const Workers& workers,
                   const std::function<void(std::size_t)>& piece) {
   std::atomic<std::size_t> next{0};
-  std::mutex mutex;  // guards the three below
+  std::mutex mutex;  // of done, failure and the calls of progress
   std::size_t done = 0;
   std::exception_ptr failure;
 

@@ -1,5 +1,5 @@
-// Runs independent pieces of work on several threads. Each piece writes only its own results, so
-// the outcome does not depend on the number of threads.
+// Runs independent pieces of work on several threads. Each piece writes its own results only, so
+// that tables do not depend on the number of threads.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace vndf::support {
 struct Workers {
   /// Threads to run; 0 means one for each processor.
   unsigned threads = 0;
-  /// Called with the number of finished pieces, from one thread at a time; may be empty.
+  /// Called with the number of finished pieces after each, from one thread at a time; may be empty.
   std::function<void(std::size_t done)> progress = {};
 };
 

@@ -1,4 +1,4 @@
-// Words for people: numbers, lists, nearest names.
+// Formats numbers without a locale and finds nearest names.
 #include "vndf/support/text.h"
 
 #include <algorithm>
@@ -10,7 +10,8 @@
 namespace vndf::support {
 namespace {
 
-/// Insertions, deletions and replacements that turn `a` into `b`.
+/// Returns how many insertions, deletions and replacements turn `a` into `b`, by the rows of the
+/// usual table (Wagner and Fischer 1974).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -26,9 +27,9 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-/// "phong" for "blinn-phong": part of the name, and more than a stray letter.
-bool is_part(std::string_view word, std::string_view name) {
-  return word.size() >= 3 && name.find(word) != std::string_view::npos;
+/// Whether `part` is in `name` and more than a stray letter, as "phong" in "blinn-phong".
+bool is_part(std::string_view part, std::string_view name) {
+  return part.size() >= 3 && name.find(part) != std::string_view::npos;
 }
 
 }  // namespace
@@ -54,21 +55,21 @@ std::string quoted(std::string_view text) {
   return shown + "'";
 }
 
-std::string listed(const std::vector<std::string>& words) {
+std::string listed(const std::vector<std::string>& items) {
   std::string text;
-  for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
+  for (const auto& item : items) text += (text.empty() ? "" : ", ") + item;
   return text;
 }
 
-std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
+std::string did_you_mean(std::string_view name, const std::vector<std::string>& known) {
   const std::string* best = nullptr;
   std::size_t best_distance = 0;
-  for (const auto& name : known) {
-    const std::size_t distance = is_part(word, name) ? 1 : edit_distance(word, name);
+  for (const auto& candidate : known) {
+    const std::size_t distance = is_part(name, candidate) ? 1 : edit_distance(name, candidate);
     const std::size_t allowed =
-        std::max<std::size_t>(1, (std::max(word.size(), name.size()) + 1) / 3);
+        std::max<std::size_t>(1, (std::max(name.size(), candidate.size()) + 1) / 3);
     if (distance > allowed || (best != nullptr && distance >= best_distance)) continue;
-    best = &name;
+    best = &candidate;
     best_distance = distance;
   }
   return best == nullptr ? "" : "; did you mean '" + *best + "'?";

@@ -1,5 +1,5 @@
-// Words for people: numbers as they are typed, lists, and the known name that is nearest to an
-// unknown one (Levenshtein distance), for the messages of specifications and formulas.
+// Text for messages: numbers as they are typed, lists, and the known name that is nearest to an
+// unknown one. A message that names what was meant saves the user a look into the documentation.
 #pragma once
 
 #include <string>
@@ -11,18 +11,19 @@ namespace vndf::support {
 /// The shortest decimal text that reads back as exactly `value`.
 std::string number_text(double value);
 
-/// `value` to three significant digits, for messages.
+/// `value` to three significant digits.
 std::string rounded_text(double value);
 
-/// The start of `text` in single quotes, for messages: 60 bytes at most, and what is not printable
-/// ASCII as '?', for a file may be of any bytes.
+/// The first 60 bytes of `text` in single quotes. Bytes that are not printable ASCII become '?',
+/// because a file may hold any bytes and a terminal may act on some.
 std::string quoted(std::string_view text);
 
 /// "a, b, c".
-std::string listed(const std::vector<std::string>& words);
+std::string listed(const std::vector<std::string>& items);
 
-/// "; did you mean 'ggx'?" for the known name that is nearest to `word` if one is near enough to be
-/// meant, else "". Starts with ';' to follow a sentence.
-std::string did_you_mean(std::string_view word, const std::vector<std::string>& known);
+/// "; did you mean 'ggx'?" for the name in `known` that is nearest to `name`, or "" if none is
+/// near. The distance is that of Levenshtein, a third of the length at most. It starts with ';' to
+/// follow a sentence.
+std::string did_you_mean(std::string_view name, const std::vector<std::string>& known);
 
 }  // namespace vndf::support

@@ -1,4 +1,4 @@
-// Measures baked tables against the exact distribution, by the steps of kernel_text.h.
+// Measures baked tables by the steps of kernel_text.h.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,7 +9,7 @@
 #include "vndf/precompute/function_errors.h"
 #include "vndf/precompute/map_errors.h"
 #include "vndf/precompute/marginal_distribution.h"
-#include "vndf/precompute/measure_certificate.h"
+#include "vndf/precompute/measure_kernel_certificate.h"
 #include "vndf/precompute/row_errors.h"
 
 namespace vndf::precompute {
@@ -20,14 +20,15 @@ using kernel::VndfDraw;
 using kernel::VndfTables;
 
 constexpr double kDegree = std::numbers::pi / 180;
-// Baked tables have no grid of their own; rows and columns are those of a pair of this size.
+// Baked tables have no grid of their own, so rows and columns are those of a pair of this size.
 constexpr std::size_t kNominalSize = 1024;
 
-/// Of what is no number; tables that give it are not refused but measured.
+/// The CDF of a slope that is not a number. It becomes an infinite error, so that broken tables get
+/// a certificate instead of an exception.
 constexpr Probability<double> kNoProbability{std::numeric_limits<double>::quiet_NaN(),
                                              std::numeric_limits<double>::quiet_NaN()};
 
-/// u, or the end beyond which the kernel does not look.
+/// Clamps u to the ends that the kernel clamps it to.
 float kernel_u(const Probability<double>& u) {
   return std::clamp(static_cast<float>(u.u), kernel::kVndfLeastU, kernel::kVndfMostU);
 }
@@ -36,7 +37,7 @@ Probability<double> given_to_kernel(const Probability<double>& u) {
   return from_tail(kernel_u(u));
 }
 
-/// The powers of two, at which keys begin, from both ends to one half.
+/// Returns the powers of two from both ends to one half, at which cells of baked tables begin.
 std::vector<Probability<double>> edges_of_keys() {
   std::vector<Probability<double>> edges;
   for (int k = 1; k <= 25; ++k) {
@@ -50,15 +51,16 @@ double value(const kernel::float4& cubic, double f) {
   return cubic[0] + f * (cubic[2] + f * (cubic[1] + f * double{cubic[3]}));
 }
 
-/// The power of two by which places of the upper half of an axis are larger.
+/// Returns the power of two by which places of the upper half of an axis are larger.
 double apart(kernel::uint octaves) {
   return kernel::float_of(0x3f800000u + octaves);
 }
 
-/// One of the cubics of a draw over u, which may be followed in double precision.
+/// One of the cubics over u that a draw has used. It can be evaluated in double precision next to
+/// the place of the draw.
 class FollowedCubic {
  public:
-  /// Of lane 0, that of u1, or of lane 2.
+  /// The cubic of lane 0, which takes u1, or of lane 2, which takes u2.
   FollowedCubic(const VndfTables& tables, const VndfDraw& draw, int lane)
       : tables_(tables),
         cubic_(lane == 0 ? draw.marginal : draw.conditional),
@@ -85,8 +87,8 @@ class FollowedCubic {
   double apart_ = 1, start_;
 };
 
-/// The root of sigma where a draw is and next to it, in double precision: its cubic over u1, and
-/// the map behind it where there is one.
+/// The root of sigma at the place of a draw and next to it, in double precision. It is the cubic
+/// over u1, followed by the map where the tables have one.
 class FollowedRoot {
  public:
   FollowedRoot(const VndfTables& tables, const VndfDraw& draw)
@@ -112,16 +114,16 @@ class FollowedRoot {
   FollowedCubic over_u_;
 };
 
-/// A slope x that the kernel gives, in its own terms.
+/// A slope x in the terms of the kernel.
 struct KernelSlope {
   double sigma;
 
   double d() const { return sigma * (1 - sigma); }
-  /// In units of U.
+  /// In units of VndfTables::unit.
   double x() const { return (sigma - 0.5) / d(); }
 };
 
-/// Slopes of the kernel in units of the mean slope.
+/// Converts slopes of the kernel into units of the mean slope.
 class KernelUnits {
  public:
   KernelUnits(const VndfTables& tables, double mean_slope)
@@ -129,7 +131,8 @@ class KernelUnits {
 
   double x(const KernelSlope& slope) const { return unit_ * slope.x(); }
 
-  /// The scale of y given x; without the rounding of x, within which it changes at a rim.
+  /// The scale of y given x. It is computed in double precision, because near a rim it changes
+  /// within the rounding of x.
   double scale(const KernelSlope& slope) const {
     const double x = slope.x(), rim = tables_.rim;
     if (rim > 0) return unit_ * std::sqrt(std::max((rim - x) * (rim + x), 0.0));
@@ -169,7 +172,7 @@ class MarginalRow final : public RowMap {
   VndfDraw draw(const Probability<double>& u) const {
     return vndf_draw(tables_, direction_, kernel_u(u), 0.5f);
   }
-  /// At most the cotangent, as the kernel gives it.
+  /// The slope is clamped to the cotangent, as the kernel clamps it.
   Probability<double> cdf_of(double sigma) const {
     const double a = std::asinh(units_.x({sigma}));
     return std::isnan(a) ? kNoProbability : visible_.cdf(std::min(a, visible_.farthest()));
@@ -181,7 +184,7 @@ class MarginalRow final : public RowMap {
   const MarginalDistribution& visible_;
 };
 
-/// Where a slope x is drawn.
+/// A direction and a random number for which the kernel draws some slope x.
 struct SlopePlace {
   VndfDirection direction;
   float u1;
@@ -190,7 +193,7 @@ struct SlopePlace {
 /// Slope y over u2 at one slope x.
 class ConditionalRow final : public RowMap {
  public:
-  /// `scale` is that of y, over that of `conditional`.
+  /// `scale` is the scale of y over that of `conditional`.
   ConditionalRow(const VndfTables& tables, const SlopePlace& place, double scale,
                  const ConditionalDistribution& conditional)
       : tables_(tables), place_(place), scale_(scale), conditional_(conditional) {}
@@ -224,13 +227,13 @@ class ConditionalRow final : public RowMap {
   const ConditionalDistribution& conditional_;
 };
 
-/// Everything that judging needs, made once.
-struct Judge {
+/// The kernel with its rows that are compared with the exact distribution.
+struct MeasuredKernel {
   const UnitSlopes& slopes;
   const VndfTables& tables;
   KernelUnits units;
 
-  /// A direction whose stretched cotangent is z / s, as floats that are then taken as exact.
+  /// A direction whose stretched cotangent is z / s. Its parts are floats and count as exact.
   struct Direction {
     float z, s;
   };
@@ -247,14 +250,14 @@ struct Judge {
     const MarginalDistribution visible(slopes,
                                        bounded_cotangent(double{w.z}, w.s * slopes.mean_slope()));
     const VndfDirection stretched = at(w);
-    return judge_row(MarginalRow(tables, units, stretched, visible),
-                     {std::atan2(w.s, w.z) / kDegree, marginal_column_inverse<double>, kNominalSize,
-                      edges_of_keys()},
-                     index);
+    return measure_row(MarginalRow(tables, units, stretched, visible),
+                       {std::atan2(w.s, w.z) / kDegree, marginal_column_inverse<double>,
+                        kNominalSize, edges_of_keys()},
+                       index);
   }
 
-  /// The place at which a slope next to `x`, in units of the mean slope, is drawn: seen from the
-  /// pole where it is above 0, seen at grazing incidence where it is below.
+  /// Finds where a slope next to `x`, in units of the mean slope, is drawn: at normal incidence if
+  /// it is above 0, at grazing incidence if it is below.
   SlopePlace place_of(double x) const {
     const VndfDirection w = at(x > 0 ? Direction{1, 0} : Direction{0, 1});
     const auto sigma = bounded_from_slope(x * slopes.mean_slope() / tables.unit).sigma;
@@ -270,37 +273,37 @@ struct Judge {
     const KernelSlope slope{sigma_at(place)};
     const double x = std::abs(units.x(slope));
     const ConditionalDistribution conditional(slopes, x, plain_scale(slopes));
-    return judge_row(
+    return measure_row(
         ConditionalRow(tables, place, units.scale(slope) / conditional.scale(), conditional),
         {x * slopes.mean_slope(), conditional_u2, kNominalSize, edges_of_keys()}, index);
   }
 };
 
-TableErrors judge_marginal(const Judge& judge, const support::Workers& workers) {
-  std::vector<Judge::Direction> directions;
-  for (const double row : off_grid_rows(kNominalSize, kJudgedRows))
-    directions.push_back(judge.direction(marginal_base_inverse(row)));
+TableErrors marginal_errors(const MeasuredKernel& measured, const support::Workers& workers) {
+  std::vector<MeasuredKernel::Direction> directions;
+  for (const double row : off_grid_rows(kNominalSize, kMeasuredRows))
+    directions.push_back(measured.direction(marginal_base_inverse(row)));
   for (const double degrees : kHardIncidences)
     directions.push_back({static_cast<float>(std::cos(degrees * kDegree)),
                           static_cast<float>(std::sin(degrees * kDegree))});
-  return judge_rows(directions.size(), workers,
-                    [&](std::size_t i) { return judge.marginal_row(directions[i], i); });
+  return measure_rows(directions.size(), workers,
+                      [&](std::size_t i) { return measured.marginal_row(directions[i], i); });
 }
 
-TableErrors judge_conditional(const Judge& judge, const support::Workers& workers) {
+TableErrors conditional_errors(const MeasuredKernel& measured, const support::Workers& workers) {
   std::vector<SlopePlace> places;
   double side = 1;
-  for (const double row : off_grid_rows(kNominalSize, kJudgedRows)) {
+  for (const double row : off_grid_rows(kNominalSize, kMeasuredRows)) {
     side = -side;
-    const SlopePlace place = judge.place_of(side * conditional_base_inverse(row));
-    const float sigma = judge.sigma_at(place);
-    const double x = std::abs(judge.units.x({sigma}));
-    // What lies beyond the first or the last u1 is not drawn.
-    if (kernel::vndf_inside(place.u1) && judges_conditional(judge.slopes, x, sigma))
+    const SlopePlace place = measured.place_of(side * conditional_base_inverse(row));
+    const float sigma = measured.sigma_at(place);
+    const double x = std::abs(measured.units.x({sigma}));
+    // A slope beyond the first or the last u1 is never drawn.
+    if (kernel::vndf_inside(place.u1) && measures_conditional(measured.slopes, x, sigma))
       places.push_back(place);
   }
-  return judge_rows(places.size(), workers,
-                    [&](std::size_t i) { return judge.conditional_row(places[i], i); });
+  return measure_rows(places.size(), workers,
+                      [&](std::size_t i) { return measured.conditional_row(places[i], i); });
 }
 
 }  // namespace
@@ -308,10 +311,10 @@ TableErrors judge_conditional(const Judge& judge, const support::Workers& worker
 Certificate measure_certificate(const UnitSlopes& slopes, const Kernel& kernel,
                                 const support::Workers& workers) {
   const VndfTables& tables = kernel.tables();
-  const Judge judge{slopes, tables, KernelUnits(tables, slopes.mean_slope())};
+  const MeasuredKernel measured{slopes, tables, KernelUnits(tables, slopes.mean_slope())};
   Certificate certificate;
-  certificate.marginal = judge_marginal(judge, workers);
-  certificate.conditional = judge_conditional(judge, workers);
+  certificate.marginal = marginal_errors(measured, workers);
+  certificate.conditional = conditional_errors(measured, workers);
   FunctionErrors(slopes, kernel).measure(certificate, workers);
   return certificate;
 }

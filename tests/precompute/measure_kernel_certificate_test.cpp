@@ -7,7 +7,7 @@
 #include "support/catch.h"
 #include "vndf/distributions/parse_distribution.h"
 #include "vndf/precompute/bake_certified.h"
-#include "vndf/precompute/measure_certificate.h"
+#include "vndf/precompute/measure_kernel_certificate.h"
 #include "vndf/validate/validate.h"
 
 using namespace vndf;
@@ -17,15 +17,15 @@ using namespace vndf::test;
 
 namespace {
 
-Certificate measured(const std::string& law, const Kernel& kernel) {
-  const auto d = parse_distribution(law);
+Certificate measured(const std::string& distribution, const Kernel& kernel) {
+  const auto d = parse_distribution(distribution);
   return measure_certificate(UnitSlopes(*d, {}), kernel, {});
 }
 
-/// The tables of `law` after `change` of their header.
+/// The tables of `distribution` after `change` of their header.
 template <class Change>
-KernelTables changed(const std::string& law, Change change) {
-  Block block(baked_tables(law).bytes());
+KernelTables changed(const std::string& distribution, Change change) {
+  Block block(baked_tables(distribution).bytes());
   change(block.header());
   block.set_checksum();
   return KernelTables::copy(block.bytes());
@@ -36,10 +36,10 @@ KernelTables changed(const std::string& law, Change change) {
 TEST_CASE("the errors of a kernel are those of its pair and the tolerance") {
   // The tolerance is kept at some places of each cell and between them but little exceeded.
   constexpr double kWithin = 1.1 * kBakedWithin;
-  for (const std::string law : {"ggx", kMixture}) {
-    const Certificate pair = small_tables(law).certificate;
-    const Certificate c = measured(law, baked_tables(law).kernel());
-    CAPTURE(law);
+  for (const std::string distribution : {"ggx", kMixture}) {
+    const Certificate pair = small_tables(distribution).certificate;
+    const Certificate c = measured(distribution, baked_tables(distribution).kernel());
+    CAPTURE(distribution);
     CHECK(c.marginal.max_u_error <= pair.marginal.max_u_error + kWithin);
     CHECK(c.conditional.max_u_error <= pair.conditional.max_u_error + kWithin);
     CHECK(c.marginal.mean_u_error < c.marginal.max_u_error);
@@ -49,7 +49,7 @@ TEST_CASE("the errors of a kernel are those of its pair and the tolerance") {
   }
 }
 
-TEST_CASE("a kernel of one law fails as that of another") {
+TEST_CASE("a kernel of one distribution fails as that of another") {
   const Certificate c = measured("ggx", baked_tables("beckmann").kernel());
   CHECK(c.marginal.max_u_error > 0.01);
   CHECK(c.conditional.max_u_error > 0.01);
@@ -83,7 +83,8 @@ TEST_CASE("baking measures, and says so") {
         measured("ggx", tables.kernel()).marginal.max_u_error);
 }
 
-TEST_CASE("without the law the certificate is the pair's with the differences, and says so") {
+TEST_CASE(
+    "without the distribution the certificate is the pair's with the differences, and says so") {
   const auto& built = small_tables("ggx");
   const KernelText text{"", {.specification = {}, .notes = "a note"}};
   const KernelTables tables =
