@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "vndf/baking/cells.h"
-#include "vndf/kernel_tables.h"
+#include "vndf/kernel_block.h"
 
 namespace vndf::baking {
 

@@ -8,7 +8,7 @@
 
 #include "vndf/baking/pair_slopes.h"
 #include "vndf/baking/surface.h"
-#include "vndf/kernel_tables.h"
+#include "vndf/kernel.h"
 
 namespace vndf::baking {
 

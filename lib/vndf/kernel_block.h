@@ -1,0 +1,88 @@
+// The layout of a block of baked tables, and its check. A block is one contiguous piece of plain
+// little-endian data, header, guides, patches and curves, with distances in place of addresses, so
+// that the bytes of a file are the tables. tables/FORMAT.md describes it for readers in any
+// language. Bytes may come from anywhere: after check_block() sampling reads nothing outside them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+
+#include "vndf/kernel.h"
+
+namespace vndf {
+
+/// Thrown where bytes are not the tables of a kernel, or not good enough. The message says which
+/// rule they break and what to do.
+class KernelTablesError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// An axis of cells: the guide at byte `guide` has `count` entries, and the key of a place, the
+/// bits of the positive float above `shift`, less `first_key` is the index of its entry.
+struct KernelAxis {
+  std::uint32_t guide, first_key, count, shift;
+};
+
+/// A segment of a curve over slopes from `begin` to `end`; its places are x - begin + offset.
+/// `guide` is that of an axis less eight times its first key, because that is what the kernel adds
+/// keys to.
+struct KernelSegment {
+  float begin;
+  std::uint32_t guide;
+  float end;
+  std::uint32_t shift;
+  float offset;
+  std::uint32_t first_key, count, reserved;
+};
+
+/// The first bytes of a block. The names of kernel::VndfTables have the meaning that they have
+/// there; `guide` and the like are bytes from the first of the block.
+struct KernelHeader {
+  char magic[8];                 ///< kKernelMagic
+  std::uint32_t version;         ///< kKernelVersion
+  std::uint32_t header_bytes;    ///< sizeof(KernelHeader)
+  std::uint64_t bytes;           ///< of the whole block
+  std::uint64_t checksum;        ///< kernel_checksum() of all bytes but these eight
+  std::uint64_t sampling_bytes;  ///< of the guides and patches, which sampling reads
+  KernelAxis direction, marginal, conditional;
+  KernelAxis slope;  ///< its guide has two entries for each key, of the map and of rows of y
+  float unit, scale_root, scale_constant, rim;
+  float least_root, most_root, direction_offset, slope_middle, slope_offset, slope_most,
+      column_offset, column_span;
+  std::uint32_t column_upper, column_mirror, column_roots, slope_upper, separable;
+  kernel::VndfCurve ndf, backfacing;
+  std::uint32_t text, text_bytes;       ///< the texts of KernelText, each with a 0 after it
+  std::uint32_t certified;              ///< 1 where the certificate was measured of the kernel
+  std::uint32_t samples, sample_count;  ///< of the specification, two float64 each: radius, density
+  double tolerance;                     ///< for which it was baked, in u
+  double difference_x, difference_y;    ///< largest differences in u from the pair
+  std::array<double, 25> certificate;
+};
+static_assert(sizeof(KernelHeader) % 16 == 0);
+
+inline constexpr char kKernelMagic[] = "vndfkern";
+inline constexpr std::uint32_t kKernelVersion = 2;
+/// Blocks begin at a multiple of it.
+inline constexpr std::size_t kKernelAlignment = 64;
+/// Most bytes of a block.
+inline constexpr std::size_t kKernelMostBytes = 1u << 30;
+/// Bytes of one sample of a specification.
+inline constexpr std::size_t kKernelSampleBytes = 2 * sizeof(double);
+
+/// A sum over all bytes of a block but those of the checksum itself. It finds accidents and not
+/// forgery, and works on four products of 64 bits side by side, so that a block is checked about as
+/// fast as memory is read.
+std::uint64_t kernel_checksum(std::span<const std::byte> block);
+
+/// The number at byte `at` of a block.
+double double_at(std::span<const std::byte> block, std::size_t at);
+
+/// Throws KernelTablesError unless `bytes` are a block: everything that sampling will read is
+/// inside them and the checksum is right. Allocates nothing unless it throws.
+void check_block(std::span<const std::byte> bytes);
+
+}  // namespace vndf
