@@ -71,7 +71,7 @@ class QuantileTable {
   }
 
   /// lookup() with its derivative by the column coordinate; 0 where the value is clamped to 0 or 1.
-  WithDerivative<double> lookup_with_derivative(double row, double column) const;
+  [[gnu::pure]] WithDerivative<double> lookup_with_derivative(double row, double column) const;
 
   /// Column coordinate at which lookup() gives `value`, to a few roundings of 1 over the
   /// derivative; the nearer end for a value outside the row, any one of the columns where the row

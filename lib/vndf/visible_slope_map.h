@@ -64,7 +64,7 @@ struct TableColumns {
 
 /// The columns of two random numbers. A number outside [0, 1] is moved to the nearer end.
 template <class T>
-TableColumns<T> columns_of(T u1, T u2) {
+[[gnu::always_inline]] inline TableColumns<T> columns_of(T u1, T u2) {
   const FoldedProbability<T> folded = fold(probability(u2));
   return {marginal_column(widened(probability(u1))), conditional_column(widened(folded.p)),
           folded.sign};
@@ -112,8 +112,10 @@ class VisibleSlopeMap {
     return conditional_at(x, conditional_column(widened(p))).v;
   }
 
-  /// Steps 2.a and 2.b: the slope at `columns`, seen from cotangent `c`.
-  MappedSlope<T> at(const BoundedSlope<T>& c, const TableColumns<T>& columns) const noexcept {
+  /// Steps 2.a and 2.b: the slope at `columns`, seen from cotangent `c`. It is put in place, so
+  /// that a caller who needs the slope alone does not wait for the differentials.
+  [[gnu::always_inline]] MappedSlope<T> at(const BoundedSlope<T>& c,
+                                           const TableColumns<T>& columns) const noexcept {
     const MarginalStep m = marginal_at(c, columns.marginal);
     const ConditionalStep k = conditional_at(m.x, columns.conditional);
     const SlopeFraction<T> x{m.x.numerator(), m.x.denominator()};
@@ -160,7 +162,7 @@ class VisibleSlopeMap {
 
   /// The slope is clamped to the farthest one that is seen, for rounding may carry it beyond; there
   /// dsigma is 0.
-  MarginalStep marginal_at(const BoundedSlope<T>& c, double column) const {
+  [[gnu::always_inline]] MarginalStep marginal_at(const BoundedSlope<T>& c, double column) const {
     const BoundedSlope<T> edge = clamp_below(support_, c);
     const auto s = tables_->marginal.lookup_with_derivative(marginal_row(c), column);
     const auto sigma = coordinates_.marginal_map.at_with_derivative(s.value);
@@ -172,13 +174,16 @@ class VisibleSlopeMap {
 
   /// At u2 = 1/2 both differentials may vanish as t does; those of the next number stand for them,
   /// because their quotient is continuous there.
-  ConditionalStep conditional_at(const BoundedSlope<T>& x, double column) const {
+  [[gnu::always_inline]] ConditionalStep conditional_at(const BoundedSlope<T>& x,
+                                                        double column) const {
     constexpr double kBeside = 0x1p-26;  // where p = 2 kBeside^2 is a rounding of 1
     const double row = conditional_row(x), place = std::max(column, kBeside);
-    const auto beside = tables_->conditional.lookup_with_derivative(row, place);
-    const double v = place == column ? beside.value : tables_->conditional.lookup(row, column);
-    return {static_cast<T>(v), static_cast<T>(conditional_column_rate(place) / 2),
-            static_cast<T>(beside.derivative)};
+    const auto v = tables_->conditional.lookup_with_derivative(row, column);
+    const double derivative =
+        place == column ? v.derivative
+                        : tables_->conditional.lookup_with_derivative(row, place).derivative;
+    return {static_cast<T>(v.value), static_cast<T>(conditional_column_rate(place) / 2),
+            static_cast<T>(derivative)};
   }
 
   /// The slope (x, scale y), with `scale` times the denominator of x as ConditionalScale gives it.
