@@ -4,6 +4,7 @@
 // Compiler vectors are used where there are any, unless VNDF_PORTABLE is defined. The portable
 // struct computes the same bits, operation by operation. Define VNDF_PORTABLE for a whole program
 // or not at all, because functions of both kinds have the same names.
+// nvcc needs the option --expt-relaxed-constexpr, for std::bit_cast.
 #pragma once
 
 #include <bit>
