@@ -141,12 +141,19 @@ TEST_CASE("at equal indices every facet refracts straight on") {
   CHECK(refract(Vec3<double>{1, 0, 0}, Vec3<double>{0, 0, 1}, 1.0));
 }
 
-TEST_CASE("half vectors undo reflection and refraction") {
-  RandomInputs random(5);
-  for (int i = 0; i < 1000; ++i) {
+/// Calls `check(wi, wm)` for those of `count` random pairs in which the normal is seen under a
+/// cosine of at least `least`.
+template <class Check>
+void for_seen_normals(unsigned seed, int count, double least, Check check) {
+  RandomInputs random(seed);
+  for (int i = 0; i < count; ++i) {
     const auto wi = random_direction(random, 80), wm = random_direction(random, 60);
-    const double cosine = dot(wi, wm);
-    if (cosine < 0.1) continue;
+    if (dot(wi, wm) >= least) check(wi, wm);
+  }
+}
+
+TEST_CASE("half vectors undo reflection and refraction") {
+  for_seen_normals(5, 1000, 0.1, [](const Vec3<double>& wi, const Vec3<double>& wm) {
     const auto wo = reflect(wi, wm);
     if (wo.z > 0) REQUIRE(distance(reflection_half_vector(wi, wo), wm) < 100 * kRounding);
     for (const double eta : {0.66, 1.5}) {
@@ -154,23 +161,19 @@ TEST_CASE("half vectors undo reflection and refraction") {
       if (!far || far->z >= 0) continue;
       REQUIRE(distance(transmission_half_vector(wi, *far, eta), wm) < 100 * kRounding);
     }
-  }
+  });
 }
 
 TEST_CASE("the Jacobian of reflection is the ratio of areas, both ways") {
-  RandomInputs random(6);
-  for (int i = 0; i < 100; ++i) {
-    const auto wi = random_direction(random, 80), wm = random_direction(random, 60);
-    const double cosine = dot(wi, wm);
-    if (cosine < 0.05) continue;
+  for_seen_normals(6, 100, 0.05, [](const Vec3<double>& wi, const Vec3<double>& wm) {
     const auto wo = reflect(wi, wm);
-    const double jacobian = reflection_jacobian(cosine);
+    const double jacobian = reflection_jacobian(dot(wi, wm));
     REQUIRE(area_ratio([&](const auto& m) { return reflect(wi, m); }, wm) ==
             Approx(jacobian).epsilon(1e-6));
     if (wo.z > 0)
       REQUIRE(area_ratio([&](const auto& w) { return reflection_half_vector(wi, w); }, wo) ==
               Approx(1 / jacobian).epsilon(1e-6));
-  }
+  });
 }
 
 TEST_CASE("the Jacobian of refraction is the ratio of areas, both ways and for either direction") {

@@ -95,9 +95,14 @@ TEST_CASE("validate refuses what it does not know") {
   CHECK(folder.run("validate x.h5 --quick --thorough").status == 2);
 }
 
+/// A folder with tables and with 20000 samples of them, "records.csv".
+class FolderWithRecords : public FolderWithTables {
+ public:
+  FolderWithRecords() { write_records(*this, "records.csv", 20000); }
+};
+
 TEST_CASE("check accepts the records of tables, and says what their number can see") {
-  const FolderWithTables folder;
-  write_records(folder, "records.csv", 20000);
+  const FolderWithRecords folder;
   const Result r = folder.run("check records.csv --against ggx --u-error 1e-3 --json verdict.json");
   CHECK(r.status == 0);
   CHECK_THAT(r.out, contains("accepted") && contains("20000 samples") && contains("in u"));
@@ -106,8 +111,7 @@ TEST_CASE("check accepts the records of tables, and says what their number can s
 }
 
 TEST_CASE("check rejects with status 1, the statistic, theta and alpha") {
-  const FolderWithTables folder;
-  write_records(folder, "records.csv", 20000);
+  const FolderWithRecords folder;
   const Result r = folder.run("check records.csv --against beckmann");
   CHECK(r.status == 1);
   CHECK_THAT(r.out, contains("rejected: ") && contains("at theta") && contains("alpha"));

@@ -67,3 +67,14 @@ TEST_CASE("arguments outside [0, 1] go to the nearer end") {
   CHECK(map.inverse(-1) == 0);
   CHECK(map.inverse(2) == 1);
 }
+
+TEST_CASE("the derivative of a map is that of its values") {
+  const MonotoneMap map({{0, 0}, {0.1, 0.15}, {0.5, 0.2}, {1, 0.6}});
+  constexpr double kStep = 1e-6;
+  for (double s = 0.01; s < 1; s += 0.0371) {
+    const auto at = map.at_with_derivative(s);
+    CHECK(at.value == map.at(s));
+    CHECK(at.derivative ==
+          Approx((map.at(s + kStep) - map.at(s - kStep)) / (2 * kStep)).epsilon(1e-4));
+  }
+}

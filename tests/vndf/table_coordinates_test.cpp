@@ -20,6 +20,14 @@ constexpr double kRowRounding = 2e-8;
 const std::vector<double> kSlopes{-1e12, -3.5, -1, -1e-9, 0, 1e-9, 0.25, 1, 7, 1e12};
 const std::vector<double> kUnit{0, 1e-9, 1e-3, 0.1, 0.25, 0.5, 0.75, 0.9, 0.999, 1};
 
+/// The derivative of f at x by central differences, and its error for functions as smooth as ours.
+template <class F>
+double difference(F f, double x) {
+  constexpr double kStep = 1e-6;
+  return (f(x + kStep) - f(x - kStep)) / (2 * kStep);
+}
+constexpr double kDifferenceError = 1e-7;
+
 }  // namespace
 
 TEST_CASE("a bounded slope is tau / (1 + tau) with tau = x + sqrt(1 + x^2)") {
@@ -134,4 +142,35 @@ TEST_CASE("a conditional value v stands for the slope 2 v / (1 - v^2)") {
     const double v = conditional_value(bounded_from_slope(y));
     CHECK(conditional_value_inverse(v).slope() == Approx(y).epsilon(1e-9));
   }
+}
+
+TEST_CASE("the rates of the columns are the derivatives of their inverses, and 0 at the ends") {
+  for (double t = 0.01; t < 1; t += 0.01) {
+    CHECK(marginal_column_rate(t) ==
+          Approx(difference([](double s) { return marginal_column_inverse(s).u; }, t))
+              .margin(kDifferenceError));
+    CHECK(conditional_column_rate(t) ==
+          Approx(difference([](double s) { return conditional_column_inverse(s).u; }, t))
+              .margin(kDifferenceError));
+  }
+  for (const double end : {0.0, 1.0}) {
+    CHECK(marginal_column_rate(end) == 0);
+    CHECK(conditional_column_rate(end) == 0);
+  }
+  CHECK(conditional_column_rate(1e-9) == Approx(4e-9).epsilon(1e-6));
+}
+
+TEST_CASE("unfold undoes fold") {
+  for (const double u : {0.0, 1e-9, 0.3, 0.5, 0.7, 1 - 1e-9, 1.0})
+    CHECK(unfold(fold(probability(u))) == Approx(u).epsilon(1e-15));
+}
+
+TEST_CASE("a fraction is bounded as its quotient is, infinite at denominator 0") {
+  for (const double x : {-3.0, -1e-9, 0.0, 0.7, 1e12}) {
+    const auto whole = bounded_from_slope(x), part = bounded_from_fraction(x * 1e-20, 1e-20);
+    CHECK(part.sigma == Approx(whole.sigma).epsilon(1e-14));
+    CHECK(part.complement == Approx(whole.complement).epsilon(1e-14));
+  }
+  CHECK(bounded_from_fraction(-1.0, 0.0).sigma == 0);
+  CHECK(bounded_from_fraction(1.0, 0.0).complement == 0);
 }

@@ -25,20 +25,37 @@ QuantileTable table_of(std::size_t rows, std::size_t columns,
   return {rows, columns, values};
 }
 
-/// Increasing rows with steps of very different sizes, some zero.
-QuantileTable rough_table(std::mt19937& random) {
-  constexpr std::size_t kRows = 4, kColumns = 12;
-  std::vector<float> values;
-  for (std::size_t i = 0; i < kRows; ++i) {
-    std::vector<float> row{0};
-    for (std::size_t j = 1; j < kColumns; ++j) {
-      const auto step = static_cast<float>(random() % 5);
+constexpr std::size_t kRoughRows = 4, kRoughColumns = 12;
+
+/// Rows that do not decrease, with steps of very different sizes, the cubes of `least` to least
+/// + 4.
+template <class T>
+std::vector<T> rough_values(std::mt19937& random, int least) {
+  std::vector<T> values;
+  for (std::size_t i = 0; i < kRoughRows; ++i) {
+    std::vector<T> row{0};
+    for (std::size_t j = 1; j < kRoughColumns; ++j) {
+      const auto step = static_cast<T>(least + static_cast<int>(random() % 5));
       row.push_back(row.back() + step * step * step);
     }
-    for (const float w : row) values.push_back(w / (row.back() + 1));
+    for (const T w : row) values.push_back(w / (row.back() + 1));
   }
-  return {kRows, kColumns, values};
+  return values;
 }
+
+/// In single precision, with flat parts.
+QuantileTable rough_table(std::mt19937& random) {
+  return {kRoughRows, kRoughColumns, rough_values<float>(random, 0)};
+}
+
+/// In double precision, everywhere increasing.
+QuantileTable increasing_table(std::mt19937& random) {
+  return QuantileTable::with_double_values(kRoughRows, kRoughColumns,
+                                           rough_values<double>(random, 1));
+}
+
+/// The step of central differences.
+constexpr double kStep = 1e-6;
 
 }  // namespace
 
@@ -181,4 +198,44 @@ TEST_CASE("a table keeps values in the precision that they are given in") {
   const QuantileTable single(2, 5, std::vector<float>(values.begin(), values.end()));
   CHECK_FALSE(single.in_double());
   CHECK(single.lookup(0, 0.5) == double{1.0f / 3});
+}
+
+TEST_CASE("the derivative of a row is that of its lookup, with the same value") {
+  std::mt19937 random(5);
+  for (int trial = 0; trial < 50; ++trial) {
+    const QuantileTable table = increasing_table(random);
+    for (const double row : {0.0, 0.3, 1.0})
+      for (double t = 0.003; t < 1; t += 0.0173) {
+        const auto at = table.lookup_with_derivative(row, t);
+        REQUIRE(at.value == table.lookup(row, t));
+        // The second derivative jumps at nodes, by up to 12^2 times the steepest rise.
+        REQUIRE(at.derivative ==
+                Approx((table.lookup(row, t + kStep) - table.lookup(row, t - kStep)) / (2 * kStep))
+                    .margin(12 * 12 * 12 * kStep));
+      }
+  }
+}
+
+TEST_CASE("a row is inverted to rounding, between rows too") {
+  std::mt19937 random(9);
+  for (int trial = 0; trial < 50; ++trial) {
+    const QuantileTable table = increasing_table(random);
+    for (const double row : {0.0, 0.3, 1.0})
+      for (int k = 0; k <= 300; ++k) {
+        const double t = k / 300.0;
+        REQUIRE(table.inverse(row, table.lookup(row, t)) == Approx(t).margin(1e-10));
+      }
+  }
+}
+
+TEST_CASE(
+    "a value outside a row has its nearer end as inverse, one on a flat part a column of it") {
+  const auto table =
+      QuantileTable::with_double_values(2, 5, {0, 0.2, 0.2, 0.2, 0.7, 0, 0.2, 0.2, 0.2, 0.7});
+  CHECK(table.inverse(0.5, -1.0) == 0);
+  CHECK(table.inverse(0.5, 0.9) == 1);
+  const double flat = table.inverse(0.5, 0.2);
+  CHECK(flat >= 0.25);
+  CHECK(flat <= 0.75);
+  CHECK(table.lookup_with_derivative(0.5, 0.5).derivative == 0);
 }

@@ -7,6 +7,7 @@
 #include "vndf/precompute/marginal_distribution.h"
 #include "vndf/support/text.h"
 #include "vndf/validate/checks/distribution_check.h"
+#include "vndf/validate/checks/worst_over.h"
 #include "vndf/validate/exact/exact_conditional.h"
 #include "vndf/validate/statistics/quasi_random.h"
 
@@ -21,6 +22,8 @@ constexpr double kLargestStep = 1e-3;
 
 struct Difference {
   Worst u, angle;
+
+  void see(const Difference& o) { see_each(std::tie(u, angle), std::tie(o.u, o.angle)); }
 };
 
 double angle_between(const Vec3<double>& a, const Vec3<double>& b) {
@@ -87,14 +90,8 @@ std::vector<CheckResult> cross_check(const SamplerUnderTest& sampler, std::size_
                                      const support::Workers& workers) {
   auto list = check_configurations();
   std::erase_if(list, [&](const Configuration& c) { return !sampler.claims.inverse_at(c); });
-  std::vector<Difference> each(list.size());
-  support::parallel_for(list.size(), workers,
-                        [&](std::size_t i) { each[i] = compare(sampler, list[i], points); });
-  Difference all;
-  for (const Difference& d : each) {
-    all.u.see(d.u);
-    all.angle.see(d.angle);
-  }
+  const Difference all = worst_over(
+      list, workers, [&](const Configuration& c) { return compare(sampler, c, points); });
   CheckResult f = all.u.result("cross-check", "difference in u", sampler.bounds.u_error);
   f.note = "angle up to " + support::rounded_text(all.angle.measured) + " rad";
   return {f};

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "vndf/validate/checks/distribution_check.h"
+#include "vndf/validate/checks/worst_over.h"
 #include "vndf/validate/exact/normal_quadrature.h"
 #include "vndf/validate/statistics/density_distance.h"
 #include "vndf/validate/statistics/quasi_random.h"
@@ -23,6 +24,11 @@ bool tells_density(const SamplerUnderTest& sampler) {
 
 struct DensityErrors {
   Worst integral, pdf, d, lambda, g1, jacobian;
+
+  void see(const DensityErrors& o) {
+    see_each(std::tie(integral, pdf, d, lambda, g1, jacobian),
+             std::tie(o.integral, o.pdf, o.d, o.lambda, o.g1, o.jacobian));
+  }
 };
 
 /// Measures all errors at one configuration.
@@ -123,19 +129,9 @@ class DensityCheck {
 
 std::vector<CheckResult> check_density(const SamplerUnderTest& sampler,
                                        const support::Workers& workers) {
-  const auto& list = check_configurations();
-  std::vector<DensityErrors> each(list.size());
-  support::parallel_for(list.size(), workers,
-                        [&](std::size_t i) { each[i] = DensityCheck(sampler, list[i]).measure(); });
-  DensityErrors all;
-  for (const DensityErrors& e : each) {
-    all.integral.see(e.integral);
-    all.pdf.see(e.pdf);
-    all.d.see(e.d);
-    all.lambda.see(e.lambda);
-    all.g1.see(e.g1);
-    all.jacobian.see(e.jacobian);
-  }
+  const DensityErrors all =
+      worst_over(check_configurations(), workers,
+                 [&](const Configuration& c) { return DensityCheck(sampler, c).measure(); });
   const Bounds& b = sampler.bounds;
   std::vector<CheckResult> results{
       all.integral.result(kCheck, "integral of pdf - 1", b.function_error),

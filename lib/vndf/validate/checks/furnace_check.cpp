@@ -6,6 +6,7 @@
 
 #include "vndf/bsdf/scatter.h"
 #include "vndf/validate/checks/distribution_check.h"
+#include "vndf/validate/checks/worst_over.h"
 #include "vndf/validate/exact/normal_quadrature.h"
 #include "vndf/validate/statistics/quasi_random.h"
 
@@ -105,14 +106,19 @@ double energy(const Bsdf& bsdf, const Configuration& c, const Outgoing& out) {
 /// Energy that is sent out beyond what comes in.
 struct Excess {
   Worst mirror, glass;
+
+  void see(const Excess& o) { see_each(std::tie(mirror, glass), std::tie(o.mirror, o.glass)); }
 };
+
+bool is_smith(const SamplerUnderTest& sampler) {
+  return sampler.claims.normals != SampledNormals::visible_v_cavity;
+}
 
 void see_energy(const SamplerUnderTest& sampler, const Configuration& c, Excess& excess) {
   // Where all normals are drawn, too, only those that are seen scatter light.
-  const bool cavities = sampler.claims.normals == SampledNormals::visible_v_cavity;
   const auto nodes = normal_quadrature(
-      *sampler.exact, cavities ? SampledNormals::visible_v_cavity : SampledNormals::visible_smith,
-      c);
+      *sampler.exact,
+      is_smith(sampler) ? SampledNormals::visible_smith : SampledNormals::visible_v_cavity, c);
   const Outgoing up = reflected(c, nodes), down = refracted(c, nodes);
   const double mirror = energy(sampler.mirror, c, up);
   const double glass = energy(sampler.glass, c, up) + energy(sampler.glass, c, down);
@@ -125,33 +131,33 @@ void see_energy(const SamplerUnderTest& sampler, const Configuration& c, Excess&
 struct FurnaceErrors {
   Worst projected, visible, reciprocity;
   Excess excess;
+
+  void see(const FurnaceErrors& o) {
+    see_each(std::tie(projected, visible, reciprocity, excess),
+             std::tie(o.projected, o.visible, o.reciprocity, o.excess));
+  }
 };
+
+FurnaceErrors measure(const SamplerUnderTest& sampler, const Configuration& c) {
+  FurnaceErrors errors;
+  errors.projected.see(projected_area_error(sampler, c), place_of(c));
+  if (is_smith(sampler) && c.wi.z > 0)
+    errors.visible.see(visible_area_error(sampler, c), place_of(c));
+  see_reciprocity(sampler, c, errors.reciprocity);
+  see_energy(sampler, c, errors.excess);
+  return errors;
+}
 
 }  // namespace
 
 std::vector<CheckResult> check_furnace(const SamplerUnderTest& sampler,
                                        const support::Workers& workers) {
-  const auto& list = check_configurations();
-  const bool smith = sampler.claims.normals != SampledNormals::visible_v_cavity;
-  std::vector<FurnaceErrors> each(list.size());
-  support::parallel_for(list.size(), workers, [&](std::size_t i) {
-    each[i].projected.see(projected_area_error(sampler, list[i]), place_of(list[i]));
-    if (smith && list[i].wi.z > 0)
-      each[i].visible.see(visible_area_error(sampler, list[i]), place_of(list[i]));
-    see_reciprocity(sampler, list[i], each[i].reciprocity);
-    see_energy(sampler, list[i], each[i].excess);
-  });
-  FurnaceErrors all;
-  for (const FurnaceErrors& e : each) {
-    all.projected.see(e.projected);
-    all.visible.see(e.visible);
-    all.reciprocity.see(e.reciprocity);
-    all.excess.mirror.see(e.excess.mirror);
-    all.excess.glass.see(e.excess.glass);
-  }
+  const FurnaceErrors all = worst_over(check_configurations(), workers,
+                                       [&](const Configuration& c) { return measure(sampler, c); });
   const double bound = sampler.bounds.function_error;
   std::vector<CheckResult> results{all.projected.result(kCheck, "projected area - 1", bound)};
-  if (smith) results.push_back(all.visible.result(kCheck, "weak white furnace - 1", bound));
+  if (is_smith(sampler))
+    results.push_back(all.visible.result(kCheck, "weak white furnace - 1", bound));
   results.push_back(all.reciprocity.result(kCheck, "reciprocity of G2", kReciprocityError));
   results.push_back(all.excess.mirror.result(kCheck, "energy of a mirror over 1", bound));
   results.push_back(all.excess.glass.result(kCheck, "energy of glass over 1", bound));

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "vndf/validate/checks/distribution_check.h"
+#include "vndf/validate/checks/worst_over.h"
 #include "vndf/validate/statistics/quasi_random.h"
 
 namespace vndf::validate {
@@ -12,6 +13,8 @@ namespace {
 
 struct Distances {
   Worst r, phi, x;
+
+  void see(const Distances& o) { see_each(std::tie(r, phi, x), std::tie(o.r, o.phi, o.x)); }
 };
 
 Distances measure(const SamplerUnderTest& sampler, const Configuration& c, std::size_t points) {
@@ -39,16 +42,9 @@ Distances measure(const SamplerUnderTest& sampler, const Configuration& c, std::
 
 std::vector<CheckResult> check_quasi_random(const SamplerUnderTest& sampler, std::size_t points,
                                             const support::Workers& workers) {
-  const auto& list = check_configurations();
-  std::vector<Distances> each(list.size());
-  support::parallel_for(list.size(), workers,
-                        [&](std::size_t i) { each[i] = measure(sampler, list[i], points); });
-  Distances all;
-  for (const Distances& d : each) {
-    all.r.see(d.r);
-    all.phi.see(d.phi);
-    all.x.see(d.x);
-  }
+  const Distances all = worst_over(check_configurations(), workers, [&](const Configuration& c) {
+    return measure(sampler, c, points);
+  });
   const double bound = std::max(sampler.bounds.u_error, sampler.bounds.declared.u) +
                        kQuasiRandomError * std::pow(static_cast<double>(points), -0.75);
   return {all.r.result("quasi-random", "radius, distance of cdfs", bound),

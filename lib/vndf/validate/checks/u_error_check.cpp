@@ -7,6 +7,7 @@
 #include "vndf/precompute/map_errors.h"
 #include "vndf/support/low_discrepancy.h"
 #include "vndf/validate/checks/map_row.h"
+#include "vndf/validate/checks/worst_over.h"
 
 namespace vndf::validate {
 namespace {
@@ -42,15 +43,17 @@ struct SlopeErrors {
   void see(double error, double u, const Place& place) {
     (u < kTailMass || u > 1 - kTailMass ? tails : body).see(error, place);
   }
-  void see(const SlopeErrors& other) {
-    body.see(other.body);
-    tails.see(other.tails);
-  }
+  void see(const SlopeErrors& o) { see_each(std::tie(body, tails), std::tie(o.body, o.tails)); }
 };
 
 struct MapErrors {
   SlopeErrors x, y;
   Worst ratio_x, ratio_y, backward, jump;
+
+  void see(const MapErrors& o) {
+    see_each(std::tie(x, y, ratio_x, ratio_y, backward, jump),
+             std::tie(o.x, o.y, o.ratio_x, o.ratio_y, o.backward, o.jump));
+  }
 };
 
 /// Measures one row of the map: all u1 at one incidence.
@@ -169,19 +172,11 @@ std::vector<CheckResult> check_u_error(const SamplerUnderTest& sampler,
                                        const UErrorOptions& options) {
   auto list = inverse_configurations();
   std::erase_if(list, [&](const Configuration& c) { return !sampler.claims.inverse_at(c); });
-  std::vector<MapErrors> rows((list.size() + options.stride - 1) / options.stride);
-  support::parallel_for(rows.size(), options.workers, [&](std::size_t i) {
-    rows[i] = Row(sampler, list[i * options.stride]).measure(options);
+  std::vector<Configuration> chosen;
+  for (std::size_t i = 0; i < list.size(); i += options.stride) chosen.push_back(list[i]);
+  const MapErrors all = worst_over(chosen, options.workers, [&](const Configuration& c) {
+    return Row(sampler, c).measure(options);
   });
-  MapErrors all;
-  for (const MapErrors& row : rows) {
-    all.x.see(row.x);
-    all.y.see(row.y);
-    all.ratio_x.see(row.ratio_x);
-    all.ratio_y.see(row.ratio_y);
-    all.backward.see(row.backward);
-    all.jump.see(row.jump);
-  }
   const Bounds& bounds = sampler.bounds;
   return {all.x.body.result(kCheck, "u-error of slope x", bounds.u_error),
           all.x.tails.result(kCheck, "u-error of slope x, tails", bounds.u_error),

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -57,5 +58,13 @@ struct Worst {
     return {std::move(check), std::move(statistic), Kind::error, measured, bound, where};
   }
 };
+
+/// Takes account of each of `others` in the one of `all` at the same place.
+template <class... W>
+void see_each(const std::tuple<W&...>& all, const std::tuple<const W&...>& others) {
+  std::apply(
+      [&](W&... mine) { std::apply([&](const W&... other) { (mine.see(other), ...); }, others); },
+      all);
+}
 
 }  // namespace vndf::validate
