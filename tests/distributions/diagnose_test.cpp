@@ -1,4 +1,4 @@
-// The refusals of distributions that no table can be built of, each with its reason.
+// Distributions of which no table can be built are refused, each with its reason.
 #include "vndf/distributions/diagnose.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Formulas: what they evaluate to, from many threads too, and every refusal with its column.
+// Formulas: what they evaluate to, from many threads too, and every error with its column.
 #include "vndf/distributions/formula_distribution.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Specifications: what they mean, that names read back, and every refusal with its column.
+// Specifications: what they mean, that names read back, and every error with its column.
 #include "vndf/distributions/parse_distribution.h"
 
 #include <stdexcept>

@@ -1,4 +1,4 @@
-// The quadratures against closed forms, and their refusals.
+// The quadratures against closed forms, and what they refuse.
 #include "vndf/distributions/slope_integrals.h"
 
 #include <cmath>
@@ -15,7 +15,7 @@ using namespace vndf::test;
 
 namespace {
 
-/// A distribution from any function, for the refusals.
+/// A distribution from any function, for what is refused.
 class Function final : public SlopeDistribution {
  public:
   explicit Function(double (*f)(double)) : f_(f) {}

@@ -22,8 +22,8 @@ inline constexpr double kFamilyUError = 5e-6;
 inline constexpr double kTailRatioAt1e6 = 0.05, kTailRatioAt1e5 = 0.01;
 
 /// Relative error of D, G1 and pdf in single precision. A relative rounding of asinh(slope), and
-/// twice one of its root, the coordinate of the curve, count 160 times in D of Beckmann at the last
-/// radius judged: 2 r^2 = 55 times asinh(slope) = 2.9. 4.1e-5 seen at 2e6 radii.
+/// twice one of its root, the coordinate of the curve, count 160 times in D of Beckmann at the
+/// largest radius: 2 r^2 = 55 times asinh(slope) = 2.9. The largest seen at 2e6 radii is 4.1e-5.
 inline constexpr double kFunctionError = 5e-5;
 
 /// The same in double precision: the interpolation of the curves, in whose graded coordinate the

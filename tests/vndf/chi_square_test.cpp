@@ -54,9 +54,9 @@ struct Verdict {
   double p1, p2;
 };
 
-/// Draws `total` normals with `sample(wi, alpha, u1, u2)` and judges both uniform numbers.
+/// Draws `total` normals with `sample(wi, alpha, u1, u2)` and counts both uniform numbers.
 template <class Forms, class Sample>
-Verdict judge(const Case& c, std::uint64_t total, std::uint64_t seed, Sample sample) {
+Verdict counted(const Case& c, std::uint64_t total, std::uint64_t seed, Sample sample) {
   const auto wi = direction_at<float>(c.degrees, c.azimuth);
   const Alpha<float> alpha{static_cast<float>(c.ax), static_cast<float>(c.ay)};
   const VisibleDistribution<Forms> distribution(wi, alpha);
@@ -75,7 +75,7 @@ Verdict judge(const Case& c, std::uint64_t total, std::uint64_t seed, Sample sam
 template <class Forms>
 Verdict judge_tables(const Case& c, std::uint64_t total, std::uint64_t seed) {
   const TabulatedSampler<float> sampler(large_tables(Forms::name).tables);
-  return judge<Forms>(c, total, seed, [&](const auto& wi, const auto& alpha, float u1, float u2) {
+  return counted<Forms>(c, total, seed, [&](const auto& wi, const auto& alpha, float u1, float u2) {
     return sampler.sample(wi, alpha, u1, u2);
   });
 }
@@ -94,19 +94,19 @@ TEST_CASE("1e6 sampled normals of each distribution pass a chi-square test with 
 
 TEST_CASE("the chi-square test rejects a sampler that takes alpha_x for alpha_y") {
   const TabulatedSampler<float> sampler(large_tables("ggx").tables);
-  const auto v = judge<GgxForms>(kCases[4], 1000000, 1,
-                                 [&](const auto& wi, const auto& alpha, float u1, float u2) {
-                                   return sampler.sample(wi, {alpha.x, alpha.x}, u1, u2);
-                                 });
+  const auto v = counted<GgxForms>(kCases[4], 1000000, 1,
+                                   [&](const auto& wi, const auto& alpha, float u1, float u2) {
+                                     return sampler.sample(wi, {alpha.x, alpha.x}, u1, u2);
+                                   });
   CHECK(std::min(v.p1, v.p2) < kSignificance);
 }
 
 TEST_CASE("the chi-square test rejects a sampler that samples the normals, visible or not") {
   const TabulatedSampler<float> sampler(large_tables("beckmann").tables);
-  const auto v = judge<BeckmannForms>(kCases[5], 1000000, 1,
-                                      [&](const auto&, const auto& alpha, float u1, float u2) {
-                                        return sampler.sample({0, 0, 1}, alpha, u1, u2);
-                                      });
+  const auto v = counted<BeckmannForms>(kCases[5], 1000000, 1,
+                                        [&](const auto&, const auto& alpha, float u1, float u2) {
+                                          return sampler.sample({0, 0, 1}, alpha, u1, u2);
+                                        });
   CHECK(std::min(v.p1, v.p2) < kSignificance);
 }
 

@@ -1,6 +1,6 @@
-// Slope distributions from formulas typed by the user: a slope density p22(r), or a normal
-// distribution D(theta) or D(theta, alpha), theta the angle from the mean normal, for which
-// p22(r) = D(atan(r)) cos^4(atan(r)).
+// Slope distributions from formulas that a user types, so that a distribution of one's own needs no
+// C++. A formula is a slope density p22(r), or a normal distribution D(theta) or D(theta, alpha),
+// where theta is the angle from the mean normal and p22(r) = D(atan(r)) cos^4(atan(r)).
 #pragma once
 
 #include <functional>
@@ -31,8 +31,8 @@ class NdfFormula {
   CompiledFormula formula_;
 };
 
-/// A formula whose density is 0 beyond some radius, as in "r < 2 ? 1 - r/2 : 0", is compact: the
-/// radius is found.
+/// A slope distribution whose density is a formula. If the formula is 0 beyond some radius, as in
+/// "r < 2 ? 1 - r/2 : 0", this radius is found and becomes the support.
 class FormulaDistribution final : public SlopeDistribution {
  public:
   /// p22 as a formula in r, with the radii at which it jumps or has a kink. Throws as
@@ -52,7 +52,7 @@ class FormulaDistribution final : public SlopeDistribution {
   /// Slopes beyond 1e20 at which the arithmetic overflows to something that is not a number
   /// (r^2 * exp(-r^2) is infinity times 0) count as density 0.
   double p22(double r) const override;
-  /// A D takes trigonometry besides its formula.
+  /// A formula of D is costly, because it needs trigonometric functions besides.
   bool costly() const override { return costly_; }
   std::vector<double> breaks() const override { return breaks_; }
   double support() const override { return support_; }

@@ -14,9 +14,15 @@
 namespace vndf::distributions {
 namespace {
 
-constexpr std::size_t kFewestSamples = 4, kFewestTailSamples = 4;
-constexpr std::size_t kTailShare = 16;
-constexpr double kTolerance = 1e-13, kTiny = 1e-9;
+// A spline needs four samples. The tail is fitted to the last sixteenth of the samples, so that it
+// follows the end of a profile and not its shoulder, but to four at least, so that one noisy sample
+// does not decide it.
+constexpr std::size_t kFewestSamples = 4, kFewestTailSamples = 4, kTailShare = 16;
+// The double-exponential rule reaches the rounding of the integrals; a smaller tolerance would make
+// it halve its steps in vain.
+constexpr double kTolerance = 1e-13;
+// An x below this part of the interval counts as 0, where atan(s / x) has no more than a kink.
+constexpr double kTiny = 1e-9;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 void check(const RadialProfile& samples) {

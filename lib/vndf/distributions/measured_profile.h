@@ -1,6 +1,6 @@
-// A slope distribution given by samples of its radial density p22, as measurements, tables and
-// slope maps give it: a smooth, positive curve through the samples and a declared tail beyond the
-// last.
+// A slope distribution that is given by samples of its radial density p22, as from a measurement or
+// from a map. The density between the samples is a smooth, positive curve through them. Beyond the
+// last sample nothing is known, so the user declares the tail, which is fitted and reported.
 #pragma once
 
 #include <optional>
@@ -11,13 +11,17 @@
 
 namespace vndf::distributions {
 
-/// p22 at radii r, in any scale of either.
+/// Samples of p22 at slope radii r, each in any unit, because the builder normalises both.
 struct RadialProfile {
   std::vector<double> r, p22;
 };
 
-/// What the density does beyond the last sample: ends, falls as exp(-b r), falls as r^-e.
-enum class ProfileTail { none, exponential, power };
+/// What the density does beyond the last sample.
+enum class ProfileTail {
+  none,         ///< it is 0
+  exponential,  ///< it falls as exp(-b r)
+  power         ///< it falls as r^-e
+};
 
 struct TailFit {
   ProfileTail kind = ProfileTail::none;
@@ -33,18 +37,20 @@ struct TailFit {
 /// The smallest exponent of a power tail, not itself valid: r^-3 has an infinite mean slope.
 inline constexpr double kSmallestTailExponent = 3;
 
-/// Passes through every sample. Between two samples of positive density, log p22 is a cubic in
-/// log(1 + r^2 / s^2), s the radius of half the largest density: a flat centre and a power tail are
-/// both straight lines in it. The cubics join as a spline (C2) whose slopes are limited (C1) where
-/// it would leave the range of the two samples around it, so noisy samples cause no overshoot.
-/// Between a positive and a zero sample p22 is linear in r. Before the first sample it is constant.
+/// The density passes through every sample. Between two samples of positive density, log p22 is a
+/// cubic in log(1 + r^2 / s^2), where s is the radius of half the largest density, because a flat
+/// centre and a power tail are both straight lines in this coordinate. The cubics form a spline
+/// (C2). Where it would leave the range of the two samples around it, its slopes are limited (C1),
+/// so that noisy samples cause no overshoot. Between a positive and a zero sample p22 is linear in
+/// r, and before the first sample it is constant.
 class MeasuredProfile final : public SlopeDistribution {
  public:
-  /// `samples`: at least 4, r >= 0 increasing, p22 >= 0. Zeros at the end declare a compact support
-  /// and go with ProfileTail::none. The tail starts at the last sample with the slope fitted by
-  /// least squares to the last sixteenth of the samples, 4 at least; `parameter` replaces that
-  /// slope. Throws std::invalid_argument for samples outside these rules, std::domain_error for
-  /// samples that are all zero and for a tail without a finite mean slope.
+  /// At least 4 `samples` are needed, with r >= 0 increasing and p22 >= 0. Zeros at the end declare
+  /// a compact support and go with ProfileTail::none. The tail starts at the last sample. Its
+  /// parameter is fitted by least squares to the last sixteenth of the samples, at least 4 of them,
+  /// unless `parameter` gives it. Throws std::invalid_argument for samples that break these rules,
+  /// and std::domain_error for samples that are all zero and for a tail without a finite mean
+  /// slope.
   MeasuredProfile(std::string name, RadialProfile samples, ProfileTail tail,
                   std::optional<double> parameter = {});
 
@@ -52,14 +58,15 @@ class MeasuredProfile final : public SlopeDistribution {
   double p22(double r) const override;
   std::vector<double> breaks() const override;
   double support() const override;
-  /// P, Q and M sample by sample: quadratures that do not know the samples struggle with noisy
-  /// ones. Maximum relative error: 1e-10 where the samples lie within a factor 2 of each other.
+  /// P, Q and M, integrated from sample to sample because a quadrature that does not know the
+  /// samples struggles with noisy ones. Maximum relative error: 1e-10 where neighbouring samples
+  /// lie within a factor 2 of each other.
   std::optional<Marginals> marginals(double x) const override;
 
-  /// The samples as given, less superfluous zeros at the end.
+  /// The samples as given, without superfluous zeros at the end.
   const RadialProfile& samples() const { return samples_; }
   const TailFit& tail() const { return tail_; }
-  /// 2 pi int r p22 dr and E|X|, tail included, as exact as marginals().
+  /// 2 pi int r p22 dr and E|X|, both with the tail and with the error of marginals().
   double mass() const { return mass_; }
   double mean_slope() const { return mean_slope_; }
 

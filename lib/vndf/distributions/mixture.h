@@ -1,5 +1,5 @@
-// Mixtures of slope distributions, each component with a roughness of its own (for example the two
-// GGX lobes that renderers blend as haze).
+// Mixtures of slope distributions. Each component has a roughness of its own, as the two GGX lobes
+// do that renderers blend as haze.
 #pragma once
 
 #include <memory>
@@ -10,8 +10,9 @@
 
 namespace vndf::distributions {
 
-/// sum w_i p22_i(r / a_i) / a_i^2 of normalised distributions. Its visible normals are no fixed
-/// mixture of theirs: the weights change with the incident direction.
+/// The density sum w_i p22_i(r / a_i) / a_i^2 of normalised distributions. Visible normals of a
+/// mixture are not a fixed mixture of those of its components, because their weights change with
+/// the incident direction. A mixture therefore needs tables of its own.
 class Mixture final : public SlopeDistribution {
  public:
   struct Component {
@@ -20,8 +21,9 @@ class Mixture final : public SlopeDistribution {
     double roughness = 1;                                   ///< a_i > 0
   };
 
-  /// Throws std::invalid_argument for no components, no distribution, or a weight or roughness that
-  /// is not finite and > 0. An empty `name` stands for "mixture:0.7*ggx+0.3*beckmann@0.2", with the
+  /// Throws std::invalid_argument if there are no components, if one has no distribution, or if a
+  /// weight or roughness is not finite and > 0. Without a `name` the mixture is called as
+  /// parse_distribution() reads it, for example "mixture:0.7*ggx+0.3*beckmann@0.2", with the
   /// weights as given.
   explicit Mixture(std::vector<Component> components, const std::string& name = {});
 
@@ -30,7 +32,7 @@ class Mixture final : public SlopeDistribution {
   bool costly() const override;
   std::vector<double> breaks() const override;
   double support() const override;
-  /// Where every component has them.
+  /// They are known where every component knows its own.
   std::optional<Marginals> marginals(double x) const override;
 
  private:

@@ -1,11 +1,12 @@
-// Radial profiles as text: a table with two columns.
+// Radial profiles as text, because measurements come as tables. A table has two columns.
 //
 //   r,p22         density of slopes at slope radius r
 //   theta,D       normal distribution function D at theta, radians in [0, pi/2)
 //   theta_deg,D   the same with theta in degrees
 //
-// The header decides. One sample a line, radii or angles increasing, 4 at least; blank lines and
-// lines that start with '#' are skipped. D becomes p22 = D cos^4(theta) at r = tan(theta).
+// The header tells which. Each line is one sample. Radii or angles increase, and there are at least
+// four. Blank lines and lines that start with '#' are skipped. D becomes p22 = D cos^4(theta) at
+// r = tan(theta).
 #pragma once
 
 #include <filesystem>

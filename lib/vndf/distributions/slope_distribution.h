@@ -1,7 +1,7 @@
-// What the builder must be told of a slope distribution: its radial density p22(r) at unit
-// roughness (Heitz and d'Eon 2014, equation 8: shape-invariant, so every other roughness is a
-// stretch of it). The name and p22 are enough; the rest is for densities that are not smooth
-// everywhere and for those whose integrals are known.
+// What the builder must know of a slope distribution: its radial density p22(r) at unit roughness.
+// The distribution is shape-invariant (Heitz and d'Eon 2014, equation 8), so every other roughness
+// is a stretch of this one. A name and p22 are enough. The other functions are for densities that
+// are not smooth everywhere, and for those whose integrals are known.
 #pragma once
 
 #include <limits>
@@ -23,9 +23,9 @@ class SlopeDistribution {
   /// A short name for people and files.
   virtual std::string name() const = 0;
 
-  /// Density of slopes per unit of slope plane at radius r >= 0: >= 0, finite for r > 0, smooth
-  /// between breaks(). Any scale: the builder normalises it. It must be safe to call from several
-  /// threads: a build calls it some 1e7 times.
+  /// The density per unit area of the slope plane at radius r >= 0, in any scale, because the
+  /// builder normalises it. It must be >= 0, finite for r > 0, and smooth between breaks(). A build
+  /// calls it some 1e7 times from several threads.
   virtual double p22(double r) const = 0;
 
   /// Whether p22 takes more than some 50 ns. If so the builder interpolates it, to 1e-11.

@@ -71,8 +71,8 @@ std::string tail_item(const TailFit& tail) {
 
 /// What the line says.
 struct Parts {
-  std::string kind;     // kP22, kNdf, kProfile; or empty for a family
-  std::string subject;  // the formula, or the family with its parameters
+  std::string kind;    // kP22, kNdf, kProfile; or empty for a family
+  std::string source;  // the formula, or the family with its parameters
   std::map<std::string, double> parameters;
   std::vector<double> breaks;
   std::optional<double> frozen_at, tail_parameter;
@@ -109,7 +109,7 @@ class Reader {
       if (rest().starts_with(std::string(kind) + ":'")) {
         parts_.kind = kind;
         at_ += kind.size() + 1;
-        parts_.subject = read_quoted();
+        parts_.source = read_quoted();
         return;
       }
     const std::string word(rest().substr(0, rest().find(' ')));
@@ -119,7 +119,7 @@ class Reader {
       return;
     }
     at_ = std::min(text_.find(kNameItem), text_.size());
-    parts_.subject = text_.substr(0, at_);
+    parts_.source = text_.substr(0, at_);
   }
 
   /// Reads one " key:value".
@@ -221,7 +221,7 @@ class Reader {
 
 std::unique_ptr<SlopeDistribution> make_p22(const Parts& parts) {
   return std::make_unique<FormulaDistribution>(
-      FormulaDistribution::from_p22({parts.subject, parts.parameters}, parts.breaks));
+      FormulaDistribution::from_p22({parts.source, parts.parameters}, parts.breaks));
 }
 
 void require_use_of_alpha(const NdfFormula& ndf, std::optional<double> frozen_at) {
@@ -232,7 +232,7 @@ void require_use_of_alpha(const NdfFormula& ndf, std::optional<double> frozen_at
 }
 
 std::unique_ptr<SlopeDistribution> make_ndf(const Parts& parts) {
-  const NdfFormula ndf({parts.subject, parts.parameters});
+  const NdfFormula ndf({parts.source, parts.parameters});
   require_use_of_alpha(ndf, parts.frozen_at);
   if (ndf.uses_alpha() && !parts.frozen_at) require_shape_invariant(ndf, ndf.text());
   return std::make_unique<FormulaDistribution>(
@@ -245,7 +245,7 @@ std::unique_ptr<SlopeDistribution> make_kind(const Parts& parts, const Specifica
   if (parts.kind == kProfile)
     return std::make_unique<MeasuredProfile>(parts.name, RadialProfile{s.r, s.p22}, parts.tail,
                                              parts.tail_parameter);
-  return parse_distribution(parts.subject);
+  return parse_distribution(parts.source);
 }
 
 /// Gives `d` the name. A mixture of it alone is the same distribution, bit for bit.

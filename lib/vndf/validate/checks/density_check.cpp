@@ -19,7 +19,7 @@ constexpr std::size_t kDerivatives = 300;  // places of the map's derivative
 
 /// Whether the sampler lets the density of its map be found.
 bool tells_density(const SamplerUnderTest& sampler) {
-  return sampler.sample_double || sampler.map_density;
+  return sampler.sample_double || sampler.sampled_density;
 }
 
 struct DensityErrors {
@@ -41,7 +41,7 @@ class DensityCheck {
     measure_integral();
     measure_normals();
     measure_shadowing();
-    if (sampler_.claims.inverse_at(c_)) measure_map_density();
+    if (sampler_.claims.inverse_at(c_)) measure_sampled_density();
     return errors_;
   }
 
@@ -105,10 +105,10 @@ class DensityCheck {
   /// as the sampler states it.
   double area(const RandomPair& u, const Vec3<double>& wm) const {
     if (sampler_.sample_double) return distribution_.frame().jacobian(wm) * determinant(u);
-    return 1 / sampler_.map_density(c_, u);
+    return 1 / sampler_.sampled_density(c_, u);
   }
 
-  void measure_map_density() {
+  void measure_sampled_density() {
     if (!tells_density(sampler_)) return;
     for (std::size_t k = 0; k < kDerivatives; ++k) {
       const RandomPair u = quasi_random_point(k);

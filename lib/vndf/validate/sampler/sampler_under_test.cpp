@@ -71,7 +71,7 @@ class SharedKernel {
   T pdf(const Vec3<T>& wi, const Vec3<T>& wm, const Alpha<T>& alpha) const noexcept {
     return T{kernel_.pdf(vector_of<float>(wi), vector_of<float>(wm), narrow(alpha))};
   }
-  double map_density(const Vec3<T>& wi, const Alpha<T>& alpha, T u1, T u2) const noexcept {
+  double sampled_density(const Vec3<T>& wi, const Alpha<T>& alpha, T u1, T u2) const noexcept {
     return double{kernel_.sample_with_density(wi, alpha, u1, u2).pdf};
   }
 
@@ -121,9 +121,9 @@ SamplerUnderTest baked_tables_under_test(std::string name, std::shared_ptr<const
                  {.normals = SampledNormals::visible_smith, .monotone_inverse = true},
                  bounds_of(tables.certificate(), columns_of(tables.header())));
   s.sample_double = {};  // no more exact than the other
-  s.map_density = [kernel](const Configuration& c, const RandomPair& u) {
-    return kernel.map_density(vector_of<float>(c.wi), alpha_of<float>(c.alpha),
-                              static_cast<float>(u.x), static_cast<float>(u.y));
+  s.sampled_density = [kernel](const Configuration& c, const RandomPair& u) {
+    return kernel.sampled_density(vector_of<float>(c.wi), alpha_of<float>(c.alpha),
+                                  static_cast<float>(u.x), static_cast<float>(u.y));
   };
   return s;
 }

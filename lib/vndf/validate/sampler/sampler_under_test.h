@@ -84,7 +84,7 @@ struct SamplerUnderTest {
       sample_double;
   /// The density of the map at the normal that is sampled at `u`, where the sampler gives it with
   /// the normal and there is no map in double precision to differentiate; may be empty.
-  std::function<double(const Configuration&, const RandomPair& u)> map_density;
+  std::function<double(const Configuration&, const RandomPair& u)> sampled_density;
   /// The density per solid angle at each of `wm`, as a renderer would divide by it.
   std::function<void(const Configuration&, std::span<const Vec3<double>> wm, std::span<double> pdf)>
       pdf;
