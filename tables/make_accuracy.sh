@@ -53,9 +53,14 @@ pair_row() {
     }' "$2"
 }
 
+# The first two lines of a table: the names of its columns, and the line below them.
+print_head() {
+  echo "$1"
+  echo "$1" | sed 's/[^|]\{1,\}/---/g'
+}
+
 make_pairs() {
-  echo "| distribution | u-error, marginal | u-error, conditional | tail ratio at 1e-6 | at 1e-5 | seconds |"
-  echo "|---|---|---|---|---|---|"
+  print_head "| distribution | u-error, marginal | u-error, conditional | tail ratio at 1e-6 | at 1e-5 | seconds |"
   for name in $1; do
     vndf build "$name" -o "$scratch/t.h5" --json >"$scratch/t.json" 2>/dev/null
     pair_row "$name" "$scratch/t.json"
@@ -77,8 +82,7 @@ baked_row() {
 }
 
 make_baked() {
-  echo "| distribution | tolerance | reads | u-error, slope x | u-error, slope y | tail ratio at 1e-6 | verdict |"
-  echo "|---|---|---|---|---|---|---|"
+  print_head "| distribution | tolerance | reads | u-error, slope x | u-error, slope y | tail ratio at 1e-6 | verdict |"
   for name in $1; do
     bytes=262144
     case $name in *@0.1) bytes=1048576 ;; esac
@@ -124,8 +128,7 @@ verdict_row() {
 }
 
 make_samplers() {
-  echo "| sampler | u-error | distance | tail x | tail y | integral | furnace | verdict |"
-  echo "|---|---|---|---|---|---|---|---|"
+  print_head "| sampler | u-error | distance | tail x | tail y | integral | furnace | verdict |"
   for name in $1; do
     vndf validate "$name" --quick --seed 20261122 --json "$scratch/v.json" >/dev/null || true
     verdict_row "$name" "$scratch/v.json" ""
@@ -133,8 +136,7 @@ make_samplers() {
 }
 
 make_thorough() {
-  echo "| table | u-error | distance | tail x | tail y | integral | least p | verdict |"
-  echo "|---|---|---|---|---|---|---|---|"
+  print_head "| table | u-error | distance | tail x | tail y | integral | least p | verdict |"
   for name in $1; do
     vndf build "$name" -o "$scratch/t.h5" --quiet 2>/dev/null
     vndf validate "$scratch/t.h5" --thorough --seed 20261122 --json "$scratch/v.json" >/dev/null || true
@@ -146,8 +148,7 @@ make_thorough() {
 make_speed() {
   file=${1:-$scratch/speed}
   [ -n "${1:-}" ] || vndf bench --plot "$scratch/speed.svg" >"$file"
-  echo "| sampler | bytes | setup, ms | coherent | random | chain | polluted | u-error | tail ratio |"
-  echo "|---|---|---|---|---|---|---|---|---|"
+  print_head "| sampler | bytes | setup, ms | coherent | random | chain | polluted | u-error | tail ratio |"
   awk -F ' *[|] *' "$functions"'
     function ratio(text) { sub(/ .*/, "", text); return text }
     function error(text) { sub(/e-0/, "e-", text); return text }

@@ -6,17 +6,11 @@
 #include "support/catch.h"
 #include "support/tolerances.h"
 #include "support/visible_normals.h"
-#include "vndf/bsdf/normal_sampler.h"
 #include "vndf/reference/beckmann_analytic.h"
 #include "vndf/reference/ggx_analytic.h"
 
 using namespace vndf;
 using namespace vndf::test;
-
-static_assert(NormalSampler<BeckmannAnalytic<float>, float>);
-static_assert(NormalSampler<BeckmannAnalytic<double>, double>);
-static_assert(NormalSampler<GgxAnalytic<float>, float>);
-static_assert(NormalSampler<GgxAnalytic<double>, double>);
 
 namespace {
 

@@ -8,7 +8,6 @@
 
 #include "support/catch.h"
 #include "support/visible_normals.h"
-#include "vndf/bsdf/normal_sampler.h"
 #include "vndf/reference/beckmann_exact.h"
 #include "vndf/reference/ggx_exact.h"
 
@@ -151,11 +150,6 @@ void check_references() {
 }
 
 }  // namespace
-
-static_assert(NormalSampler<BeckmannExact<float>, float>);
-static_assert(NormalSampler<BeckmannExact<double>, double>);
-static_assert(NormalSampler<GgxExact<float>, float>);
-static_assert(NormalSampler<GgxExact<double>, double>);
 
 TEST_CASE("the exact maps give the quantiles of u1 and u2 with their stated errors") {
   static_assert(GgxExactMethod::kDoubleError == BeckmannExactMethod::kDoubleError);

@@ -4,17 +4,11 @@
 #include "support/pair_test.h"
 #include "support/tolerances.h"
 #include "support/visible_normals.h"
-#include "vndf/bsdf/normal_sampler.h"
 #include "vndf/reference/ggx_caps.h"
 #include "vndf/reference/ggx_hemisphere.h"
 
 using namespace vndf;
 using namespace vndf::test;
-
-static_assert(NormalSampler<GgxCaps<float>, float>);
-static_assert(NormalSampler<GgxCaps<double>, double>);
-static_assert(NormalSampler<GgxHemisphere<float>, float>);
-static_assert(NormalSampler<GgxHemisphere<double>, double>);
 
 namespace {
 

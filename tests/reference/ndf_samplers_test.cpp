@@ -5,7 +5,6 @@
 #include "support/catch.h"
 #include "support/hemisphere_integral.h"
 #include "support/visible_normals.h"
-#include "vndf/bsdf/normal_sampler.h"
 #include "vndf/reference/beckmann_ndf.h"
 #include "vndf/reference/blinn_phong_ndf.h"
 #include "vndf/reference/generalised_trowbridge_reitz_ndf.h"
@@ -14,13 +13,6 @@
 
 using namespace vndf;
 using namespace vndf::test;
-
-static_assert(NormalSampler<BeckmannNdf<float>, float>);
-static_assert(NormalSampler<GgxNdf<double>, double>);
-static_assert(NormalSampler<BlinnPhongNdf<float>, float>);
-static_assert(NormalSampler<GeneralisedTrowbridgeReitzNdf<float>, float>);
-static_assert(NormalSampler<GeneralisedTrowbridgeReitzNdf<double>, double>);
-static_assert(NormalSampler<WalterRoughness<GgxNdf<float>>, float>);
 
 namespace {
 

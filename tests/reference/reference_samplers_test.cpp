@@ -3,6 +3,7 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "support/catch.h"
@@ -29,9 +30,13 @@ using namespace vndf::test;
 
 namespace {
 
-/// Calls `visit(name, sampler)` for each reference sampler.
-template <class T, class Visit>
-void for_each_sampler(Visit visit) {
+/// Calls `use(name, sampler)` for each reference sampler, all of which a BSDF can take.
+template <class T, class Use>
+void for_each_sampler(Use use) {
+  const auto visit = [&](const char* name, const auto& sampler) {
+    static_assert(NormalSampler<std::decay_t<decltype(sampler)>, T>);
+    use(name, sampler);
+  };
   visit("beckmann analytic", BeckmannAnalytic<T>());
   visit("beckmann exact", BeckmannExact<T>());
   visit("ggx analytic", GgxAnalytic<T>());

@@ -5,16 +5,12 @@
 #include "support/hemisphere_integral.h"
 #include "support/pair_test.h"
 #include "support/tolerances.h"
-#include "vndf/bsdf/normal_sampler.h"
 #include "vndf/reference/beckmann_ndf.h"
 #include "vndf/reference/blinn_phong_ndf.h"
 #include "vndf/reference/ggx_ndf.h"
 
 using namespace vndf;
 using namespace vndf::test;
-
-static_assert(NormalSampler<VCavity<GgxNdf<float>>, float>);
-static_assert(NormalSampler<VCavity<BeckmannNdf<double>>, double>);
 
 namespace {
 

@@ -161,6 +161,21 @@ void variance(const VarianceArguments& a) {
   print(a, tables->distribution, lights, results);
 }
 
+/// How many numbers an option takes.
+struct Count {
+  int least, most;
+};
+
+/// An option that takes numbers with commas between them.
+void add_numbers(CLI::App& command, const std::string& name, std::vector<double>& numbers,
+                 const std::string& help, Count count, const std::string& form) {
+  command.add_option(name, numbers, help)
+      ->delimiter(',')
+      ->expected(count.least, count.most)
+      ->type_name(form)
+      ->capture_default_str();
+}
+
 }  // namespace
 
 void add_experiment(CLI::App& app) {
@@ -173,27 +188,16 @@ void add_experiment(CLI::App& app) {
                                            "Named distribution, as for vndf build");
   auto* tables = command->add_option("--tables", a->tables, "Table file, in place of a name");
   distribution->excludes(tables);
-  command->add_option("--alpha", a->alpha, "Roughness along x and y")
-      ->delimiter(',')
-      ->expected(1, 2)
-      ->type_name("AX[,AY]")
-      ->capture_default_str();
+  add_numbers(*command, "--alpha", a->alpha, "Roughness along x and y", {1, 2}, "AX[,AY]");
   command->add_option("--theta", a->theta, "Angle of incidence in degrees, 0 to 90")
       ->capture_default_str();
   command->add_option("--azimuth", a->azimuth, "Its azimuth in degrees")->capture_default_str();
-  command->add_option("--metal", a->metal, "Complex refractive index")
-      ->delimiter(',')
-      ->expected(2)
-      ->type_name("ETA,K")
-      ->capture_default_str();
+  add_numbers(*command, "--metal", a->metal, "Complex refractive index", {2, 2}, "ETA,K");
   command->add_option("--light", a->light, "smooth, lamp (small and bright) or both")
       ->check(CLI::IsMember({"smooth", "lamp", "both"}))
       ->capture_default_str();
-  command->add_option("--lamp", a->lamp, "Where the lamp is, in degrees")
-      ->delimiter(',')
-      ->expected(2)
-      ->type_name("THETA,AZIMUTH")
-      ->capture_default_str();
+  add_numbers(*command, "--lamp", a->lamp, "Where the lamp is, in degrees", {2, 2},
+              "THETA,AZIMUTH");
   command->add_option("--samples", a->samples, "For each estimator; rounded up to blocks of 65536")
       ->check(CLI::Validator(samples_rule, "N"))
       ->capture_default_str();
