@@ -22,10 +22,9 @@
 //               apart, where q = min(u1, 1 - u1): both ends keep their full relative precision.
 //               Where tables are to be small p = sqrt(2 q) + an offset instead, for slope x is
 //               smooth in it towards c.
-//   u2          p, because the distribution is symmetric in slope y, which has the sign of u2 -
-//   1/2.
-//               Where rows of y are needed too, the half of the axis near u2 = 1/2 is mirrored and
-//               again a power of two larger, because slope y may be steep at u2 = 1/2: where its
+//   u2          p, because the distribution is symmetric in slope y, whose sign is that of
+//               u2 - 1/2. Where rows of y are needed too, the half of the axis near u2 = 1/2 is
+//               mirrored and again a power of two larger, because slope y may be steep there if its
 //               density is hollow or pointed.
 //   slope x     |s - s0| + an offset, where s is what the marginal holds and s0 that of x = 0; a
 //               power of two larger above s0.
