@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <stdexcept>
+#include <string_view>
 
 #include "vndf/distributions/family_list.h"
 #include "vndf/distributions/formula_distribution.h"
@@ -17,6 +17,7 @@
 #include "vndf/distributions/slope_map.h"
 #include "vndf/distributions/specification.h"
 #include "vndf/io/map_image.h"
+#include "vndf/support/text.h"
 
 namespace vndf::tools {
 namespace {
@@ -30,14 +31,11 @@ std::map<std::string, double> parse_parameters(const std::vector<std::string>& l
   std::map<std::string, double> parameters;
   for (const std::string& text : list) {
     const auto equals = text.find('=');
-    double value = 0;
-    const char* end = text.data() + text.size();
-    const auto [stop, error] = equals == std::string::npos
-                                   ? std::from_chars_result{end, std::errc::invalid_argument}
-                                   : std::from_chars(text.data() + equals + 1, end, value);
-    if (error != std::errc() || stop != end || !std::isfinite(value))
-      throw CLI::ValidationError("--param", "'" + text + "' is not NAME=NUMBER");
-    if (!parameters.emplace(text.substr(0, equals), value).second)
+    const auto value = equals == std::string::npos
+                           ? std::optional<double>()
+                           : support::finite_number(std::string_view(text).substr(equals + 1));
+    if (!value) throw CLI::ValidationError("--param", "'" + text + "' is not NAME=NUMBER");
+    if (!parameters.emplace(text.substr(0, equals), *value).second)
       throw CLI::ValidationError("--param", "'" + text.substr(0, equals) + "' is given twice");
   }
   return parameters;

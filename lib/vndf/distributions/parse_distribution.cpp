@@ -1,8 +1,6 @@
 // A specification is cut into pieces that remember their column.
 #include "vndf/distributions/parse_distribution.h"
 
-#include <charconv>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <stdexcept>
@@ -82,12 +80,9 @@ std::vector<std::size_t> separators(std::string_view text, char separator) {
 
 double number(const Piece& piece, const std::string& what) {
   if (piece.empty()) piece.refuse(what + " has no number");
-  const auto text = piece.text();
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-    piece.refuse(what + " is " + piece.quoted() + ", which is not a finite number");
-  return value;
+  const auto value = support::finite_number(piece.text());
+  if (!value) piece.refuse(what + " is " + piece.quoted() + ", which is not a finite number");
+  return *value;
 }
 
 double positive_number(const Piece& piece, const std::string& what) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -93,7 +92,7 @@ class Reader {
       at_ = static_cast<std::size_t>(control - text_.begin());
       fail("there is a control character; a specification is one line");
     }
-    read_subject();
+    read_source();
     while (at_ < text_.size()) read_item();
     return std::move(parts_);
   }
@@ -104,7 +103,7 @@ class Reader {
                                 " of the specification " + support::quoted(text_) + ")");
   }
 
-  void read_subject() {
+  void read_source() {
     for (const std::string_view kind : {kP22, kNdf})
       if (rest().starts_with(std::string(kind) + ":'")) {
         parts_.kind = kind;
@@ -203,12 +202,9 @@ class Reader {
   }
 
   double number(const std::string& word) const {
-    double value = 0;
-    const char* end = word.data() + word.size();
-    const auto [stop, error] = std::from_chars(word.data(), end, value);
-    if (error != std::errc() || stop != end || !std::isfinite(value))
-      fail(support::quoted(word) + " is not a finite number");
-    return value;
+    const auto value = support::finite_number(word);
+    if (!value) fail(support::quoted(word) + " is not a finite number");
+    return *value;
   }
 
   const std::string& text_;

@@ -94,8 +94,8 @@ struct MeasuredPair {
     const auto bounded = bounded_from_sigma(static_cast<float>(bounded_from_slope(x).sigma));
     const BoundedSlope<double> exact = bounded_from_sigma<double>(bounded.sigma);
     const SlopeTables& tables = sampler.tables();
-    const ConditionalDistribution conditional(
-        slopes, exact.slope(), {tables.conditional_constant, tables.conditional_quadratic});
+    const ConditionalDistribution conditional(slopes, exact.slope(),
+                                              sampler.map().coordinates().scale);
     const auto cdf_of = [&](auto sign, auto v) {
       const double y = conditional_value_inverse(double{v}).slope();
       const double half = conditional.cdf(y).complement / 2;

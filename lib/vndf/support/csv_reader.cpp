@@ -1,10 +1,7 @@
 // Cuts a line at its commas and reads each number independently of the locale.
 #include "vndf/support/csv_reader.h"
 
-#include <charconv>
-#include <cmath>
 #include <stdexcept>
-#include <system_error>
 
 #include "vndf/support/text.h"
 
@@ -55,11 +52,9 @@ bool CsvReader::next_line() {
 
 double CsvReader::number(std::string_view field) const {
   const std::string_view digits = field.starts_with('+') ? field.substr(1) : field;
-  double value = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value))
-    fail_in_line(quoted(field) + " is not a finite number");
-  return value;
+  const auto value = finite_number(digits);
+  if (!value) fail_in_line(quoted(field) + " is not a finite number");
+  return *value;
 }
 
 void CsvReader::fail(const std::string& rule) const {

@@ -41,6 +41,14 @@ std::string number_text(double value) {
   return {buffer, end};
 }
 
+std::optional<double> finite_number(std::string_view text) {
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end || !std::isfinite(value)) return {};
+  return value;
+}
+
 std::string rounded_text(double value) {
   if (std::isnan(value)) return "nan";
   char buffer[32];

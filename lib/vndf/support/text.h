@@ -2,6 +2,7 @@
 // unknown one. A message that names what was meant saves the user a look into the documentation.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,10 @@ namespace vndf::support {
 
 /// The shortest decimal text that reads back as exactly `value`.
 std::string number_text(double value);
+
+/// Inverse of number_text(), whatever the locale: the number that all of `text` is. Returns nothing
+/// if `text` is not a number, has something before or after it, or is not finite.
+std::optional<double> finite_number(std::string_view text);
 
 /// `value` to three significant digits.
 std::string rounded_text(double value);
