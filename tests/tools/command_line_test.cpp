@@ -487,6 +487,9 @@ TEST_CASE("options that do not go together are wrong usage") {
   check_failure(folder.run("build --p22 'exp(-k*r)' --param k -o a.h5"), 2, "NAME=NUMBER");
   check_failure(folder.run("build ggx --break 1 -o a.h5"), 2, "--break");
   check_failure(folder.run("build ggx --frozen-at 0.3 -o a.h5"), 2, "--frozen-at");
+  check_failure(folder.run("build ggx --tail power -o a.h5"), 2, "--tail: goes with --profile");
+  check_failure(folder.run("build --profile p.csv --ignore-asymmetry -o a.h5"), 2,
+                "--ignore-asymmetry: goes with --normal-map");
   check_failure(folder.run("build ggx --json --quiet -o a.h5"), 2, "--quiet");
 }
 

@@ -78,15 +78,16 @@ std::string name_of(const SourceArguments& a, const std::string& path) {
 }
 
 DistributionSource from_profile(const SourceArguments& a) {
-  const distributions::MeasuredProfile profile(
-      name_of(a, a.profile), distributions::read_profile_csv(a.profile), tail_kind(a.tail));
+  const distributions::MeasuredProfile profile(name_of(a, a.profile),
+                                               distributions::read_profile_csv(a.profile),
+                                               tail_kind(a.tail.value_or("none")));
   return {distributions::specify_profile(profile), describe(profile.tail())};
 }
 
 DistributionSource from_map(const SourceArguments& a) {
   const auto image = io::read_slope_map(a.map);
   const auto estimate = distributions::estimate_slope_map(
-      image.slopes, {.name = name_of(a, a.map), .force = a.force});
+      image.slopes, {.name = name_of(a, a.map), .ignore_asymmetry = a.ignore_asymmetry});
   const auto& s = estimate.statistics;
   return {
       distributions::specify_profile(*estimate.distribution),
@@ -105,11 +106,20 @@ void require_one_source(const SourceArguments& a) {
   if (given != 1)
     throw CLI::ValidationError(
         "distribution", "give one of: a named distribution, --p22, --ndf, --profile, --normal-map");
-  if (a.p22.empty() && a.ndf.empty() && !a.parameters.empty())
-    throw CLI::ValidationError("--param", "goes with --p22 or --ndf");
-  if (a.p22.empty() && a.ndf.empty() && !a.breaks.empty())
-    throw CLI::ValidationError("--break", "goes with --p22 or --ndf");
-  if (a.ndf.empty() && a.frozen_at) throw CLI::ValidationError("--frozen-at", "goes with --ndf");
+}
+
+/// Refuses an option that would do nothing, because the user meant it to do something.
+void require_effect(const SourceArguments& a) {
+  const auto require = [](bool given, bool has_effect, const char* option, const char* sources) {
+    if (given && !has_effect)
+      throw CLI::ValidationError(option, std::string("goes with ") + sources);
+  };
+  const bool formula = !a.p22.empty() || !a.ndf.empty();
+  require(!a.parameters.empty(), formula, "--param", "--p22 or --ndf");
+  require(!a.breaks.empty(), formula, "--break", "--p22 or --ndf");
+  require(a.frozen_at.has_value(), !a.ndf.empty(), "--frozen-at", "--ndf");
+  require(a.tail.has_value(), !a.profile.empty(), "--tail", "--profile");
+  require(a.ignore_asymmetry, !a.map.empty(), "--ignore-asymmetry", "--normal-map");
 }
 
 }  // namespace
@@ -132,18 +142,20 @@ void add_source_options(CLI::App& command, SourceArguments& a) {
       ->group(group);
   command.add_option("--profile", a.profile, "CSV file with columns r,p22 or theta,D")
       ->group(group);
-  command.add_option("--tail", a.tail, "What a profile does beyond its last sample")
+  command.add_option("--tail", a.tail, "What a profile does beyond its last sample (default none)")
       ->check(CLI::IsMember({"none", "exponential", "power"}))
-      ->capture_default_str()
       ->group(group);
   command.add_option("--normal-map", a.map, "EXR file of normals or slopes")->group(group);
-  command.add_flag("--force", a.force, "Accept a map whose slopes are not radially symmetric")
+  command
+      .add_flag("--ignore-asymmetry", a.ignore_asymmetry,
+                "Accept a map whose slopes are not radially symmetric")
       ->group(group);
   command.add_option("--name", a.name, "Name of the distribution")->group(group);
 }
 
 DistributionSource source_of(const SourceArguments& a) {
   require_one_source(a);
+  require_effect(a);
   if (!a.spec.empty()) return {distributions::specify_family(a.spec, a.name)};
   if (!a.p22.empty())
     return {distributions::specify_p22({a.p22, parse_parameters(a.parameters)}, a.breaks, a.name)};
@@ -152,7 +164,7 @@ DistributionSource source_of(const SourceArguments& a) {
   try {
     return from_map(a);
   } catch (const distributions::AsymmetricMap& error) {
-    throw with_option(error, "--force");
+    throw with_option(error, "--ignore-asymmetry");
   }
 }
 

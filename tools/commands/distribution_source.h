@@ -18,9 +18,9 @@ struct SourceArguments {
   std::vector<std::string> parameters;       // NAME=NUMBER of a formula
   std::vector<double> breaks;                // slope radii at which a formula jumps
   std::optional<double> frozen_at;
-  std::string tail = "none";
+  std::optional<std::string> tail;  // of a profile; none if it is not given
   std::string name;
-  bool force = false;
+  bool ignore_asymmetry = false;  // of a map
 };
 
 struct DistributionSource {

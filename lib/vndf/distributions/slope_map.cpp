@@ -128,7 +128,7 @@ struct Ring {
   }
 };
 
-void measure_asymmetry(Slopes slopes, const std::vector<double>& radii, bool force,
+void measure_asymmetry(Slopes slopes, const std::vector<double>& radii, bool ignore,
                        SlopeMapStatistics& result) {
   std::array<double, kRings - 1> edges;
   for (std::size_t k = 1; k < kRings; ++k) edges[k - 1] = radii[radii.size() * k / kRings];
@@ -145,11 +145,11 @@ void measure_asymmetry(Slopes slopes, const std::vector<double>& radii, bool for
   for (const Ring& ring : rings) worst = std::max(worst, ring.departure());
   result.asymmetry = std::clamp(worst - kExpectedLargest * sigma, 0.0, 1.0);
   result.asymmetry_bound = kMaxAsymmetry + kSigmas * sigma;
-  if (!force && result.asymmetry > result.asymmetry_bound)
+  if (!ignore && result.asymmetry > result.asymmetry_bound)
     throw AsymmetricMap(
         "slope map: the slopes are not radially symmetric even after a stretch: asymmetry " +
         std::to_string(result.asymmetry) + " exceeds " + std::to_string(result.asymmetry_bound) +
-        "; with the option force they are averaged over azimuth all the same");
+        "; the option to ignore asymmetry averages them over azimuth all the same");
 }
 
 // The radial density.
@@ -286,7 +286,7 @@ SlopeMapEstimate estimate_slope_map(Slopes slopes, const SlopeMapOptions& option
   std::sort(radii.begin(), radii.end());
 
   SlopeMapStatistics statistics{.texels = slopes.size(), .mean_x = s.x, .mean_y = s.y};
-  measure_asymmetry(white, radii, options.force, statistics);
+  measure_asymmetry(white, radii, options.ignore_asymmetry, statistics);
   Histogram h = histogram_of(radii);
   const TailModel tail = choose_tail(radii, h);
   if (tail.kind == ProfileTail::none) h.edges.push_back(radii.back());

@@ -25,9 +25,9 @@ namespace vndf::distributions {
 
 /// Fewest texels of a map.
 inline constexpr std::size_t kFewestTexels = 1000;
-/// Largest departure from radial symmetry that is accepted without force, beyond four standard
-/// deviations of its noise: at 0.05 the azimuth CDF within any eighth of the texels is off by less
-/// than 0.05 / pi.
+/// Largest departure from radial symmetry that is accepted unless it is ignored, beyond four
+/// standard deviations of its noise: at 0.05 the azimuth CDF within any eighth of the texels is off
+/// by less than 0.05 / pi.
 inline constexpr double kMaxAsymmetry = 0.05;
 
 /// The slopes of a map are not radially symmetric, whatever the stretch.
@@ -40,7 +40,7 @@ struct SlopeMapOptions {
   /// Name of the distribution.
   std::string name = "slope-map";
   /// Accept a map whose slopes are not radially symmetric; its azimuths are then averaged.
-  bool force = false;
+  bool ignore_asymmetry = false;
 };
 
 struct SlopeMapStatistics {
@@ -62,7 +62,7 @@ struct SlopeMapStatistics {
   /// Largest Fourier coefficient |E exp(i k phi)|, k = 1 ... 8, of the azimuth and largest spread
   /// of its CDF (Kuiper), over the eighths of the texels by radius, less their noise: 0 to 1.
   double asymmetry = 0;
-  /// The largest asymmetry accepted without force.
+  /// The largest asymmetry that is accepted unless it is ignored.
   double asymmetry_bound = 0;
 };
 
@@ -76,7 +76,7 @@ struct SlopeMapEstimate {
 /// Estimates the distribution of `slopes`, one for each texel. Throws std::domain_error for fewer
 /// than kFewestTexels, a slope that is not finite, slopes that do not spread in two directions, and
 /// a tail too heavy for a finite mean slope; AsymmetricMap for an asymmetry above its bound, unless
-/// options.force is set.
+/// options.ignore_asymmetry is set.
 SlopeMapEstimate estimate_slope_map(std::span<const Vec2<double>> slopes,
                                     const SlopeMapOptions& options = {});
 
