@@ -216,3 +216,58 @@ TEST_CASE("samples that are no profile are refused") {
   CHECK_THROWS_AS(make({{0, 1, 2, 3}, {1, nan, 1, 1}}), std::invalid_argument);
   CHECK_THROWS_WITH(make({{0, 1, 2, 3}, {0, 0, 0, 0}}), contains("zero at every sample"));
 }
+
+TEST_CASE("samples whose integrals would overflow are refused before any work") {
+  const auto refused = [](RadialProfile samples, const std::string& why) {
+    for (const auto tail : {ProfileTail::none, ProfileTail::exponential, ProfileTail::power})
+      CHECK_THROWS_WITH(MeasuredProfile("bad", samples, tail), contains(why));
+  };
+  refused({{0, 1, 2, 3}, {1, 1e308, 1e308, 1}}, "sample 2 (r = 1, p22 = 1e+308)");
+  refused({{0, 1, 2, 3, 4}, {1, 1e308, 1e308, 1e-308, 1e-320}}, "use other units");
+  refused({{0, 1, 1e155, 1e200}, {1, 1, 1, 1}}, "sample 3 (r = 1e+155, p22 = 1)");
+  refused({{0, 1e-170, 1, 2}, {1, 1, 1, 1}}, "sample 2 (r = 1e-170, p22 = 1)");
+  refused({{0, 1, 2, 3}, {1e-40, 1e-40, 1e-40, 1e-40}}, "below 1e-30 at every sample");
+  refused({{0, 1, 1.0000000000000002, 5}, {1, 2, 1, 1}}, "differs from the one before");
+  refused({{0, 1, 2, 201}, {1, 1, 0.1, 1e-4}}, "more than 100 times that of the sample before");
+}
+
+TEST_CASE("tails that leave nothing within the samples or beyond them are refused") {
+  const RadialProfile samples{{0, 1, 2, 3}, {1, 1, 1, 1}};
+  const auto refused = [&](ProfileTail tail, double parameter, const std::string& why) {
+    CHECK_THROWS_WITH(MeasuredProfile("tail", samples, tail, parameter), contains(why));
+  };
+  refused(ProfileTail::exponential, 1e-300, "too flat");
+  refused(ProfileTail::exponential, 0.016, "too flat");
+  refused(ProfileTail::exponential, 1e300, "too steep");
+  refused(ProfileTail::power, 1e7, "too steep");
+  for (const double rate : {0.017, 3e5}) {
+    const MeasuredProfile profile("tail", samples, ProfileTail::exponential, rate);
+    CHECK(std::isfinite(profile.mean_slope()));
+  }
+}
+
+TEST_CASE("numbers at the limits have finite integrals") {
+  constexpr double kLarge = kLargestProfileNumber, kSmall = kSmallestProfileNumber;
+  for (const double density : {kLarge, kSmall}) {
+    const MeasuredProfile near(
+        "near", {{0, kSmall, 2 * kSmall, 3 * kSmall}, {0, density, 1e-320, 0}}, ProfileTail::none);
+    const MeasuredProfile far("far",
+                              {{0, 0.3 * kLarge, 0.6 * kLarge, kLarge}, {0, density, 1e-320, 0}},
+                              ProfileTail::none);
+    for (const MeasuredProfile& profile : {near, far}) {
+      CHECK(profile.mass() > 0);
+      CHECK(std::isfinite(profile.mass()));
+      CHECK(profile.mean_slope() > 0);
+      CHECK(std::isfinite(profile.mean_slope()));
+    }
+  }
+}
+
+TEST_CASE("a zero between positive samples is refused; zeros at both ends are not") {
+  const auto make = [](std::vector<double> p22) {
+    return MeasuredProfile("zeros", {{0, 1, 2, 3, 4, 5}, std::move(p22)}, ProfileTail::none);
+  };
+  CHECK_THROWS_WITH(make({1, 1, 0, 1, 1, 1}), contains("sample 3 (r = 2, p22 = 0)"));
+  CHECK_THROWS_WITH(make({0, 1, 0, 0, 1, 0}), contains("zero between positive ones"));
+  CHECK(make({0, 0, 1, 2, 1, 0}).samples().r == std::vector<double>{1, 2, 3, 4, 5});
+}

@@ -52,10 +52,30 @@ TEST_CASE("D over theta becomes p22 = D cos^4(theta) over r = tan(theta)") {
   }
 }
 
+TEST_CASE("columns are found by their names, and others are ignored") {
+  const RadialProfile profile = read("band,p22,note,r\n1,4,x,0\n1,3,,1\n1,2,nan,2\n1,1,#,3\n");
+  CHECK(profile.r == std::vector<double>{0, 1, 2, 3});
+  CHECK(profile.p22 == std::vector<double>{4, 3, 2, 1});
+  // The radius counts where a table has the angle besides.
+  const RadialProfile both = read("theta_deg,D,r,p22\n0,9,0,4\n9,9,1,3\n18,9,2,2\n27,9,3,1\n");
+  CHECK(both.r == profile.r);
+  CHECK(both.p22 == profile.p22);
+}
+
+TEST_CASE("a line of the greatest length is read, with a line end or without") {
+  const std::string head = "r,p22\n0,1\n1,1\n2,1\n", number = "3,1";
+  const std::string longest = number + std::string(8192 - number.size(), ' ');
+  CHECK(read(head + longest).r.size() == 4);
+  CHECK(read(head + longest + "\n4,1\n").r.size() == 5);
+  CHECK_THROWS_WITH(read(head + longest + " \n"), contains("longer than 8192 bytes"));
+}
+
 TEST_CASE("a bad profile is refused with its name, the line and the rule") {
   const std::string start = "r,p22\n0,1\n1,1\n";
   const std::vector<std::pair<std::string, std::string>> bad{
-      {"", "profile.csv: it is empty; the first line must be one of 'r,p22' 'theta,D'"},
+      {"",
+       "profile.csv: it is empty; the first line must name the columns of one of 'r,p22' "
+       "'theta,D'"},
       {"\n# nothing\n", "it is empty"},
       {"radius,p22\n0,1\n", "line 1: the header 'radius,p22' is not known"},
       {"\n0,1\n1,1\n", "line 2: the header '0,1' is not known"},
@@ -66,13 +86,19 @@ TEST_CASE("a bad profile is refused with its name, the line and the rule") {
       {start + "inf,1\n", "line 4: 'inf' is not a finite number"},
       {start + "2,1e999\n", "line 4: '1e999' is not a finite number"},
       {start + "2,\n", "line 4: '' is not a finite number"},
-      {start + "2\n", "line 4: two numbers are needed"},
-      {start + "2,1,1\n", "line 4: two numbers are needed"},
+      {start + "2\n", "line 4: the line has 1 fields and the header 2"},
+      {start + "2,1,1\n", "line 4: the line has 3 fields and the header 2"},
       {start + "\n1,1\n", "line 5: r is the same as in the sample before"},
       {start + "0.5,1\n", "line 4: r must increase"},
       {start + "2,-1\n", "line 4: p22 must not be negative"},
       {"r,p22\n-1,1\n", "line 2: r must not be negative"},
-      {"theta,D\n0,1\n1.6,1\n", "line 3: theta must lie in [0, pi/2), in radians"},
+      {"theta,D\n0,1\n30,1\n",
+       "line 3: theta must lie in [0, pi/2), in radians; name the column theta_deg if"},
+      {"r,sigma\n0,1\n", "line 1: the header 'r,sigma' is not known"},
+      {"r,p22,sigma\n0,1\n", "line 2: the line has 2 fields and the header 3"},
+      {std::string("r,p22\n0,1\0\n", 11), "line 2: there is a zero byte"},
+      {start + "2," + std::string(9000, '1'), "line 4: the line is longer than 8192 bytes"},
+      {std::string(100000, 'x'), "line 1: the line is longer than 8192 bytes"},
       {"theta,D\n-0.1,1\n", "line 2: theta must lie in [0, pi/2)"},
       {"theta_deg,D\n0,1\n90,1\n", "line 3: theta_deg must lie in [0, 90)"},
       {"theta,D\n0,-1\n", "line 2: D must not be negative"}};

@@ -175,7 +175,7 @@ TEST_CASE("a specification whose samples are no profile is refused") {
   check_refused({"profile tail:linear", {0, 1, 2, 3}, {1, 1, 1, 0}}, "none, exponential or power");
   check_refused(profile_with({}, {}), "at least 4 samples");
   check_refused(profile_with({0, 1, 2, 3}, {1, 1, 1}), "as many radii as densities");
-  check_refused(profile_with({0, 1, 2, kNan}, {1, 1, 1, 0}), "radii must be finite");
+  check_refused(profile_with({0, 1, 2, kNan}, {1, 1, 1, 0}), "radii and densities must be finite");
   check_refused(profile_with({0, 2, 1, 3}, {1, 1, 1, 0}), "radii must increase");
-  check_refused(profile_with({0, 1, 2, 3}, {1, kNan, 1, 0}), "densities must be finite");
+  check_refused(profile_with({0, 1, 2, 3}, {1, kNan, 1, 0}), "radii and densities must be finite");
 }

@@ -1,5 +1,6 @@
 // The program as a person or a script meets it: output, exit status, messages.
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -480,6 +481,45 @@ TEST_CASE("what is wrong with a distribution is told before any work, in one lin
   CHECK(folder.files().empty());
 }
 
+TEST_CASE("a profile that no table could hold is refused before any work") {
+  const Folder folder;
+  const auto refused = [&](const std::string& samples, const std::string& why) {
+    CAPTURE(samples);
+    std::ofstream(folder / "p.csv") << "r,p22\n" << samples;
+    for (const std::string tail : {"none", "exponential", "power"}) {
+      const auto start = std::chrono::steady_clock::now();
+      check_one_line_failure(folder.run("build --profile p.csv --tail " + tail + " -o a.h5"), why);
+      // It takes 20 ms; the work that was done before such a refusal took from 2 to 98 s.
+      CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(1));
+    }
+  };
+  refused("0,1\n1,1e308\n2,1e308\n3,1\n", "sample 2 (r = 1, p22 = 1e+308)");
+  refused("0,1\n1,1e308\n2,1e308\n3,1e-308\n4,1e-320\n", "use other units");
+  refused("0,1e-300\n1,1e300\n1.0000000000000002,1e-300\n5,1e-300\n", "use other units");
+  refused("0,1\n1,10\n1.0000000000000002,1\n5,0.1\n", "differs from the one before by less");
+  refused("0,2\n1e-6,6\n0.7,0.4\n7e8,1e-260\n", "more than 100 times that of the sample before");
+}
+
+TEST_CASE("a long profile is resampled, a noisy one smoothed on request, and both are reported") {
+  const Folder folder;
+  {
+    std::ofstream csv(folder / "p.csv");
+    csv << "r,p22\n";
+    for (int i = 0; i < 1000; ++i)
+      csv << i / 200.0 << ',' << std::exp(-i * i / 4e4) * (1 + 0.01 * std::sin(1e3 * i)) << '\n';
+  }
+  const auto build = [&](const std::string& options) {
+    const Result built = folder.run("build --profile p.csv -o a.h5 --size 16" + options);
+    CHECK(built.status == 0);
+    return built.out;
+  };
+  CHECK_THAT(build(""), contains("resampled: 254 samples in place of 1000, CDF of slopes within"));
+  CHECK_THAT(folder.run("info a.h5").out, contains("resampled: 254 samples in place of 1000"));
+  CHECK_THAT(build(" --smooth"), contains("smoothed: ") && contains("in place of 1000, CDF") &&
+                                     contains("p22 within 7.") && !contains("resampled"));
+  CHECK_THAT(folder.run("info a.h5").out, contains("smoothed: "));
+}
+
 TEST_CASE("options that do not go together are wrong usage") {
   const Folder folder;
   check_failure(folder.run("build ggx --p22 'exp(-r)' -o a.h5"), 2, "one of");
@@ -488,6 +528,7 @@ TEST_CASE("options that do not go together are wrong usage") {
   check_failure(folder.run("build ggx --break 1 -o a.h5"), 2, "--break");
   check_failure(folder.run("build ggx --frozen-at 0.3 -o a.h5"), 2, "--frozen-at");
   check_failure(folder.run("build ggx --tail power -o a.h5"), 2, "--tail: goes with --profile");
+  check_failure(folder.run("build ggx --smooth -o a.h5"), 2, "--smooth: goes with --profile");
   check_failure(folder.run("build --profile p.csv --ignore-asymmetry -o a.h5"), 2,
                 "--ignore-asymmetry: goes with --normal-map");
   check_failure(folder.run("build ggx --json --quiet -o a.h5"), 2, "--quiet");

@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include "vndf/distributions/family_list.h"
 #include "vndf/distributions/formula_distribution.h"
@@ -67,6 +68,12 @@ std::string describe(const distributions::TailFit& tail) {
   }
 }
 
+std::string describe(const char* what, const distributions::FitResidual& fit, std::size_t kept) {
+  return fmt::format("{}: {} samples in place of {}, CDF of slopes within {:.1e}, ", what, kept,
+                     fit.samples, fit.u_error) +
+         fmt::format("p22 within {:.1e} (root mean square, relative)\n", fit.density);
+}
+
 distributions::ProfileTail tail_kind(const std::string& name) {
   if (name == "exponential") return distributions::ProfileTail::exponential;
   return name == "power" ? distributions::ProfileTail::power : distributions::ProfileTail::none;
@@ -78,10 +85,18 @@ std::string name_of(const SourceArguments& a, const std::string& path) {
 }
 
 DistributionSource from_profile(const SourceArguments& a) {
-  const distributions::MeasuredProfile profile(name_of(a, a.profile),
-                                               distributions::read_profile_csv(a.profile),
+  distributions::RadialProfile samples = distributions::read_profile_csv(a.profile);
+  std::string notes;
+  if (a.smooth) {
+    auto [fewer, residual] = distributions::smoothed(samples);
+    notes = describe("smoothed", residual, fewer.r.size());
+    samples = std::move(fewer);
+  }
+  const distributions::MeasuredProfile profile(name_of(a, a.profile), std::move(samples),
                                                tail_kind(a.tail.value_or("none")));
-  return {distributions::specify_profile(profile), describe(profile.tail())};
+  if (const auto& residual = profile.resampling())
+    notes += describe("resampled", *residual, profile.samples().r.size());
+  return {distributions::specify_profile(profile), notes + describe(profile.tail())};
 }
 
 DistributionSource from_map(const SourceArguments& a) {
@@ -119,6 +134,7 @@ void require_effect(const SourceArguments& a) {
   require(!a.breaks.empty(), formula, "--break", "--p22 or --ndf");
   require(a.frozen_at.has_value(), !a.ndf.empty(), "--frozen-at", "--ndf");
   require(a.tail.has_value(), !a.profile.empty(), "--tail", "--profile");
+  require(a.smooth, !a.profile.empty(), "--smooth", "--profile");
   require(a.ignore_asymmetry, !a.map.empty(), "--ignore-asymmetry", "--normal-map");
 }
 
@@ -144,6 +160,8 @@ void add_source_options(CLI::App& command, SourceArguments& a) {
       ->group(group);
   command.add_option("--tail", a.tail, "What a profile does beyond its last sample (default none)")
       ->check(CLI::IsMember({"none", "exponential", "power"}))
+      ->group(group);
+  command.add_flag("--smooth", a.smooth, "Take the noise out of a profile, and report how much")
       ->group(group);
   command.add_option("--normal-map", a.map, "EXR file of normals or slopes")->group(group);
   command

@@ -20,6 +20,7 @@ struct SourceArguments {
   std::optional<double> frozen_at;
   std::optional<std::string> tail;  // of a profile; none if it is not given
   std::string name;
+  bool smooth = false;            // a profile
   bool ignore_asymmetry = false;  // of a map
 };
 

@@ -7,45 +7,26 @@
 #include <cmath>
 #include <limits>
 #include <span>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
+
+#include "vndf/support/text.h"
 
 namespace vndf::distributions {
 namespace {
 
-// A spline needs four samples. The tail is fitted to the last sixteenth of the samples, so that it
-// follows the end of a profile and not its shoulder, but to four at least, so that one noisy sample
-// does not decide it.
-constexpr std::size_t kFewestSamples = 4, kFewestTailSamples = 4, kTailShare = 16;
+// The tail is fitted to the last sixteenth of the samples, so that it follows the end of a profile
+// and not its shoulder, but to four at least, so that one noisy sample does not decide it.
+constexpr std::size_t kFewestTailSamples = 4, kTailShare = 16;
+// A tail falls by at least this many powers of e, and at most, over a radius as large as the last.
+// Of a flatter one 0.999 of the mass would be a guess, and a steeper one is an edge.
+constexpr double kFlattestTail = 0.05, kSteepestTail = 1e6;
 // The double-exponential rule reaches the rounding of the integrals; a smaller tolerance would make
 // it halve its steps in vain.
 constexpr double kTolerance = 1e-13;
 // An x below this part of the interval counts as 0, where atan(s / x) has no more than a kink.
 constexpr double kTiny = 1e-9;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-void check(const RadialProfile& samples) {
-  const auto fail = [](const std::string& rule) {
-    throw std::invalid_argument("radial profile: " + rule);
-  };
-  if (samples.r.size() != samples.p22.size()) fail("as many radii as densities are needed");
-  if (samples.r.size() < kFewestSamples) fail("at least 4 samples are needed");
-  for (std::size_t i = 0; i < samples.r.size(); ++i) {
-    if (!(samples.r[i] >= 0) || std::isinf(samples.r[i])) fail("radii must be finite and >= 0");
-    if (i > 0 && !(samples.r[i] > samples.r[i - 1])) fail("radii must increase");
-    if (!(samples.p22[i] >= 0) || std::isinf(samples.p22[i]))
-      fail("densities must be finite and >= 0");
-  }
-}
-
-/// The largest radius with at least half the largest density, or the first beyond 0.
-double half_density_radius(const RadialProfile& samples) {
-  const double half = *std::max_element(samples.p22.begin(), samples.p22.end()) / 2;
-  std::size_t i = samples.r.size() - 1;
-  while (samples.p22[i] < half) --i;
-  return samples.r[i] > 0 ? samples.r[i] : samples.r[i + 1];
-}
 
 using Rule = boost::math::quadrature::gauss<double, 10>;
 
@@ -108,21 +89,19 @@ std::vector<double> spline_slopes(const std::vector<double>& h, const std::vecto
 
 MeasuredProfile::MeasuredProfile(std::string name, RadialProfile samples, ProfileTail tail,
                                  std::optional<double> parameter)
-    : name_(std::move(name)), samples_(std::move(samples)) {
-  check(samples_);
-  tail_.kind = tail;
-  const auto positive = std::find_if(samples_.p22.rbegin(), samples_.p22.rend(),
-                                     [](double density) { return density > 0; });
-  if (positive == samples_.p22.rend()) fail("p22 is zero at every sample");
-  const auto kept = static_cast<std::size_t>(samples_.p22.rend() - positive) + 1;  // and one zero
-  samples_.r.resize(std::min(kept, samples_.r.size()));
-  samples_.p22.resize(samples_.r.size());
-  place_knots();
+    : name_(std::move(name)),
+      samples_(checked_profile(std::move(samples))),
+      tail_{.kind = tail},
+      coordinate_(samples_) {
   if (tail != ProfileTail::none) fit_tail(parameter);
-  for (std::size_t first = 0, end = 0; first < knots_.size(); first = end + 1) {
-    for (end = first; end < knots_.size() && samples_.p22[end] > 0;) ++end;
-    if (end > first + 1) join_run(first, end);
+  if (samples_.r.size() > kMostProfileSamples) {
+    auto [fewer, residual] = resampled(samples_);
+    samples_ = std::move(fewer);
+    resampling_ = residual;
+    coordinate_ = ProfileCoordinate(samples_);
   }
+  place_knots();
+  join_knots();
   integrate();
 }
 
@@ -130,16 +109,10 @@ void MeasuredProfile::fail(const std::string& why) const {
   throw std::domain_error("distribution '" + name_ + "': " + why);
 }
 
-double MeasuredProfile::coordinate(double r) const {
-  return std::log1p(r * r * inverse_square_scale_);
-}
-
 void MeasuredProfile::place_knots() {
-  const double scale = half_density_radius(samples_);
-  inverse_square_scale_ = 1 / (scale * scale);
   knots_.reserve(samples_.r.size());
   for (std::size_t i = 0; i < samples_.r.size(); ++i)
-    knots_.push_back({samples_.r[i], coordinate(samples_.r[i]), std::log(samples_.p22[i]), 0});
+    knots_.push_back({samples_.r[i], coordinate_(samples_.r[i]), std::log(samples_.p22[i]), 0});
 }
 
 void MeasuredProfile::fit_tail(std::optional<double> parameter) {
@@ -149,40 +122,50 @@ void MeasuredProfile::fit_tail(std::optional<double> parameter) {
   tail_.parameter = parameter.value_or(0);
   if (!parameter) {
     std::vector<double> x, y;
-    const std::size_t count = std::max(kFewestTailSamples, knots_.size() / kTailShare);
-    for (auto knot = knots_.end() - static_cast<std::ptrdiff_t>(count); knot != knots_.end();
-         ++knot) {
-      if (std::isinf(knot->value) || (power && knot->r == 0)) continue;
-      x.push_back(power ? std::log(knot->r) : knot->r);
-      y.push_back(knot->value);
+    const std::size_t n = samples_.r.size();
+    for (std::size_t i = n - std::max(kFewestTailSamples, n / kTailShare); i < n; ++i) {
+      if (samples_.p22[i] == 0 || (power && samples_.r[i] == 0)) continue;
+      x.push_back(power ? std::log(samples_.r[i]) : samples_.r[i]);
+      y.push_back(std::log(samples_.p22[i]));
     }
     if (x.size() < 2) fail("fewer than two of the last samples are positive: no tail to fit");
     const Line line = least_squares(x, y);
     tail_.parameter = -line.slope;
     tail_.residual = line.residual;
   }
-  std::ostringstream why;
-  if (power && !(tail_.parameter > kSmallestTailExponent)) {
-    why << "the density falls as r^-" << tail_.parameter
-        << " at the last samples; the mean slope is finite only for exponents above 3";
-    fail(why.str());
-  }
-  if (!(tail_.parameter > 0)) {
-    why << "the density does not fall at the last samples (exp(" << -tail_.parameter
-        << " r)): no exponential tail fits";
-    fail(why.str());
-  }
+  check_tail();
+}
+
+void MeasuredProfile::check_tail() const {
+  const double rate = tail_.parameter;
+  const std::string shown = support::rounded_text(rate);
+  if (tail_.kind == ProfileTail::power && !(rate > kSmallestTailExponent))
+    fail("the density falls as r^-" + shown +
+         " at the last samples; the mean slope is finite only for exponents above 3");
+  if (!(rate > 0))
+    fail("the density does not fall at the last samples (exp(" + support::rounded_text(-rate) +
+         " r)): no exponential tail fits");
+  // Per factor e of the density, in last radii.
+  const double steepness = tail_.kind == ProfileTail::power ? rate : rate * samples_.r.back();
+  if (!(steepness >= kFlattestTail && steepness <= kSteepestTail))
+    fail("the tail of parameter " + shown + " is too " +
+         (steepness < kFlattestTail ? "flat: nearly all of the mass would lie beyond"
+                                    : "steep: nothing would lie beyond") +
+         " the last sample; declare another tail, or none");
 }
 
 double MeasuredProfile::log_slope_of_tail() const {
   const double r = knots_.back().r;
   const double per_radius =
       tail_.kind == ProfileTail::power ? tail_.parameter / r : tail_.parameter;
-  return -per_radius * (1 / inverse_square_scale_ + r * r) / (2 * r);
+  return coordinate_.slope(-per_radius, r);
 }
 
-/// Sets the slopes of the knots [first, end), all of positive density, two at least.
-void MeasuredProfile::join_run(std::size_t first, std::size_t end) {
+/// Sets the slopes of the knots of positive density.
+void MeasuredProfile::join_knots() {
+  const std::size_t first = samples_.p22.front() == 0 ? 1 : 0;
+  const std::size_t end = knots_.size() - (samples_.p22.back() == 0 ? 1 : 0);
+  if (end - first < 2) return;  // one knot between zeros, which straight lines join
   std::vector<double> h, s;
   for (std::size_t i = first; i + 1 < end; ++i) {
     h.push_back(knots_[i + 1].t - knots_[i].t);
@@ -219,7 +202,7 @@ double MeasuredProfile::between(std::size_t next, double r) const {
   const Knot &a = knots_[next - 1], &b = knots_[next];
   if (std::isinf(a.value) || std::isinf(b.value))
     return std::lerp(std::exp(a.value), std::exp(b.value), (r - a.r) / (b.r - a.r));
-  const double h = b.t - a.t, v = (coordinate(r) - a.t) / h, w = 1 - v;
+  const double h = b.t - a.t, v = (coordinate_(r) - a.t) / h, w = 1 - v;
   return std::exp(w * w * ((1 + 2 * v) * a.value + v * h * a.slope) +
                   v * v * ((1 + 2 * w) * b.value - w * h * b.slope));
 }
@@ -235,11 +218,14 @@ double MeasuredProfile::beyond(double r) const {
 
 std::vector<double> MeasuredProfile::breaks() const {
   std::vector<double> radii;
-  const auto zero = [&](std::size_t i) { return samples_.p22[i] == 0; };
-  for (std::size_t i = 0; i + 1 < knots_.size(); ++i)
-    if (knots_[i].r > 0 && (zero(i) || zero(i + 1) || (i > 0 && zero(i - 1))))
+  const auto add = [&](std::size_t i) {
+    if (knots_[i].r > 0 && (radii.empty() || knots_[i].r > radii.back()))
       radii.push_back(knots_[i].r);
-  radii.push_back(knots_.back().r);
+  };
+  const std::size_t last = knots_.size() - 1;
+  if (samples_.p22.front() == 0) add(0), add(1);
+  if (samples_.p22.back() == 0) add(last - 1);
+  add(last);
   return radii;
 }
 

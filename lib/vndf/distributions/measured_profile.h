@@ -7,14 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "vndf/distributions/fit_profile.h"
+#include "vndf/distributions/radial_profile.h"
 #include "vndf/distributions/slope_distribution.h"
 
 namespace vndf::distributions {
-
-/// Samples of p22 at slope radii r, each in any unit, because the builder normalises both.
-struct RadialProfile {
-  std::vector<double> r, p22;
-};
 
 /// What the density does beyond the last sample.
 enum class ProfileTail {
@@ -37,20 +34,19 @@ struct TailFit {
 /// The smallest exponent of a power tail, not itself valid: r^-3 has an infinite mean slope.
 inline constexpr double kSmallestTailExponent = 3;
 
-/// The density passes through every sample. Between two samples of positive density, log p22 is a
-/// cubic in log(1 + r^2 / s^2), where s is the radius of half the largest density, because a flat
-/// centre and a power tail are both straight lines in this coordinate. The cubics form a spline
-/// (C2). Where it would leave the range of the two samples around it, its slopes are limited (C1),
-/// so that noisy samples cause no overshoot. Between a positive and a zero sample p22 is linear in
-/// r, and before the first sample it is constant.
+/// The density passes through every sample, or is fitted to more than kMostProfileSamples of them
+/// (fit_profile.h). Between two samples of positive density, log p22 is a
+/// cubic in ProfileCoordinate. The cubics form a spline (C2). Where it would leave the range of the
+/// two samples around it, its slopes are limited (C1), so that noisy samples cause no overshoot.
+/// Between a positive and a zero sample p22 is linear in r, and before the first sample it is
+/// constant.
 class MeasuredProfile final : public SlopeDistribution {
  public:
-  /// At least 4 `samples` are needed, with r >= 0 increasing and p22 >= 0. Zeros at the end declare
-  /// a compact support and go with ProfileTail::none. The tail starts at the last sample. Its
-  /// parameter is fitted by least squares to the last sixteenth of the samples, at least 4 of them,
-  /// unless `parameter` gives it. Throws std::invalid_argument for samples that break these rules,
-  /// and std::domain_error for samples that are all zero and for a tail without a finite mean
-  /// slope.
+  /// The samples keep the rules of checked_profile(). Zeros at the end declare a compact support
+  /// and go with ProfileTail::none. The tail starts at the last sample. Its parameter is fitted by
+  /// least squares to the last sixteenth of the samples, at least 4 of them, unless `parameter`
+  /// gives it. Throws std::invalid_argument for samples that break the rules, and std::domain_error
+  /// for a tail that does not fit or is without a finite mean slope.
   MeasuredProfile(std::string name, RadialProfile samples, ProfileTail tail,
                   std::optional<double> parameter = {});
 
@@ -63,24 +59,27 @@ class MeasuredProfile final : public SlopeDistribution {
   /// lie within a factor 2 of each other.
   std::optional<Marginals> marginals(double x) const override;
 
-  /// The samples as given, without superfluous zeros at the end.
+  /// The samples that the density passes through, without superfluous zeros at the ends. The same
+  /// distribution is made of them again.
   const RadialProfile& samples() const { return samples_; }
+  /// How far the density is from the samples as given, if they were too many to keep.
+  const std::optional<FitResidual>& resampling() const { return resampling_; }
   const TailFit& tail() const { return tail_; }
   /// 2 pi int r p22 dr and E|X|, both with the tail and with the error of marginals().
   double mass() const { return mass_; }
   double mean_slope() const { return mean_slope_; }
 
  private:
-  /// log p22 and its derivative in the coordinate t = log(1 + r^2 / s^2).
+  /// log p22 and its derivative in the coordinate t.
   struct Knot {
     double r, t, value, slope;
   };
 
   void place_knots();
   void fit_tail(std::optional<double> parameter);
-  void join_run(std::size_t first, std::size_t end);
+  void check_tail() const;
+  void join_knots();
   void integrate();
-  double coordinate(double r) const;
   double log_slope_of_tail() const;
   double between(std::size_t next, double r) const;
   double beyond(double r) const;
@@ -90,7 +89,8 @@ class MeasuredProfile final : public SlopeDistribution {
   std::string name_;
   RadialProfile samples_;
   TailFit tail_;
-  double inverse_square_scale_ = 1;
+  std::optional<FitResidual> resampling_;
+  ProfileCoordinate coordinate_;
   std::vector<Knot> knots_;
   double mass_ = 0, mean_slope_ = 0;
 };

@@ -1,6 +1,7 @@
 // Reading radial profiles from text.
 #include "vndf/distributions/profile_csv.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -14,9 +15,9 @@
 namespace vndf::distributions {
 namespace {
 
-constexpr std::size_t kFewestSamples = 4, kMostSamples = 1u << 20;
+constexpr std::size_t kMostSamples = 1u << 20;
 
-/// What the header says of the first column; the second is D where `angle_unit` is set.
+/// Two columns that make a profile; the second is D where `angle_unit` is set.
 struct Columns {
   std::string_view header, first, second;
   double angle_unit;  // radians in one; 0: the column is a radius
@@ -34,7 +35,7 @@ class Reader {
   RadialProfile read() {
     columns_ = header();
     while (csv_.next_line()) add_sample();
-    if (profile_.r.size() < kFewestSamples)
+    if (profile_.r.size() < kFewestProfileSamples)
       csv_.fail("it has " + std::to_string(profile_.r.size()) + " samples; at least 4 are needed");
     return std::move(profile_);
   }
@@ -43,24 +44,33 @@ class Reader {
   Columns header() {
     if (!csv_.next_line()) csv_.fail("it is empty; " + accepted());
     const auto& fields = csv_.fields();
-    for (const Columns& columns : kColumns)
-      if (fields.size() == 2 && fields[0] == columns.first && fields[1] == columns.second)
-        return columns;
+    width_ = fields.size();
+    const auto place_of = [&](std::string_view name) {
+      return static_cast<std::size_t>(std::ranges::find(fields, name) - fields.begin());
+    };
+    for (const Columns& columns : kColumns) {
+      first_ = place_of(columns.first);
+      second_ = place_of(columns.second);
+      if (first_ < width_ && second_ < width_) return columns;
+    }
     csv_.fail_in_line("the header " + support::quoted(csv_.line()) + " is not known; " +
                       accepted());
   }
 
   static std::string accepted() {
-    std::string list = "the first line must be one of";
+    std::string list = "the first line must name the columns of one of";
     for (const Columns& columns : kColumns) list += " '" + std::string(columns.header) + "'";
     return list;
   }
 
   void add_sample() {
-    if (csv_.fields().size() != 2)
-      csv_.fail_in_line("two numbers are needed, separated by a comma");
-    const double place = csv_.number(csv_.fields()[0]);
-    const double density = csv_.number(csv_.fields()[1]);
+    const auto& fields = csv_.fields();
+    if (fields.size() != width_)
+      csv_.fail_in_line("the line has " + std::to_string(fields.size()) +
+                        " fields and the header " + std::to_string(width_) +
+                        "; separate as many by commas");
+    const double place = csv_.number(fields[first_]);
+    const double density = csv_.number(fields[second_]);
     check(place, density);
     const double theta = place * columns_.angle_unit;
     const double cosine = std::cos(theta);  // 1 for a radius
@@ -75,8 +85,11 @@ class Reader {
     if (last_ && place < *last_) csv_.fail_in_line(first + " must increase from sample to sample");
     if (columns_.angle_unit == 0 && place < 0) csv_.fail_in_line("r must not be negative");
     if (columns_.angle_unit != 0 && !in_quarter_turn(place))
-      csv_.fail_in_line(first + " must lie in " +
-                        (columns_.angle_unit == 1 ? "[0, pi/2), in radians" : "[0, 90)"));
+      csv_.fail_in_line(
+          first + " must lie in " +
+          (columns_.angle_unit == 1
+               ? "[0, pi/2), in radians; name the column theta_deg if it is in degrees"
+               : "[0, 90), in degrees"));
     if (density < 0) csv_.fail_in_line(std::string(columns_.second) + " must not be negative");
     if (profile_.r.size() == kMostSamples)
       csv_.fail_in_line("there are more than " + std::to_string(kMostSamples) + " samples");
@@ -88,6 +101,7 @@ class Reader {
 
   support::CsvReader csv_;
   Columns columns_{};
+  std::size_t width_ = 0, first_ = 0, second_ = 0;  // fields in a line, and the two that count
   std::optional<double> last_;
   RadialProfile profile_;
 };

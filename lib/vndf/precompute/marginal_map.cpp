@@ -98,7 +98,9 @@ std::vector<CubicNode<double>> marginal_map(const UnitSlopes& slopes, std::size_
     const auto sigma = bounded_from_asinh(a);
     // The logit of sigma is a, so its derivative by a is sigma (1 - sigma).
     const double da_dt = marginal_column_rate(t) / (base.density(a) / base.below_last());
-    map.push_back({sigma.sigma, sigma.denominator() * da_dt * spacing});
+    // Where the density jumps within a panel, its integral is not exact and may turn back.
+    const double value = std::max(map.back().value, sigma.sigma);
+    map.push_back({value, sigma.denominator() * da_dt * spacing});
   }
   map.push_back({bounded_from_slope(slopes.support()).sigma, 0});
   set_end_tangents(map);

@@ -37,11 +37,29 @@ std::ifstream open_csv(const std::filesystem::path& path) {
   return stream;
 }
 
+/// Reads one line into line_, without its end. Returns false at the end of the stream.
+bool CsvReader::read_line() {
+  stream_.getline(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+  auto length = static_cast<std::size_t>(stream_.gcount());
+  if (length == 0) return false;
+  ++line_number_;
+  const bool ended = stream_.good();
+  if (!ended && !stream_.eof())
+    fail_in_line("the line is longer than " + std::to_string(kMaxCsvLine) +
+                 " bytes; give a text file with one sample or record in each line");
+  if (ended) --length;  // the line end is counted
+  line_ = {buffer_.data(), length};
+  if (line_.find('\0') != std::string_view::npos)
+    fail_in_line("there is a zero byte; give a text file in ASCII or UTF-8");
+  return true;
+}
+
 bool CsvReader::next_line() {
-  while (std::getline(stream_, text_)) {
-    ++line_number_;
-    if (line_number_ == 1 && text_.starts_with("\xEF\xBB\xBF")) text_.erase(0, 3);
-    line_ = trimmed(text_);
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  while (read_line()) {
+    if (line_number_ == 1 && line_.starts_with(kByteOrderMark))
+      line_.remove_prefix(kByteOrderMark.size());
+    line_ = trimmed(line_);
     if (line_.empty() || line_[0] == '#') continue;
     split(line_, fields_);
     return true;
