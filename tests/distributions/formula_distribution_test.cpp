@@ -40,6 +40,17 @@ void check_parameter_refused(const Formula& formula, const std::string& why) {
   CHECK_THROWS_WITH(FormulaDistribution::from_p22(formula), contains(why));
 }
 
+/// The message holds `why` and fits into a few lines.
+void check_refused_in_short(const Formula& formula, const std::string& why) {
+  try {
+    FormulaDistribution::from_p22(formula);
+    FAIL("it is accepted");
+  } catch (const std::invalid_argument& error) {
+    CHECK_THAT(error.what(), contains(why) && !contains("\n"));
+    CHECK(std::string(error.what()).size() < 400);
+  }
+}
+
 }  // namespace
 
 TEST_CASE("a formula in r is the density") {
@@ -189,6 +200,34 @@ TEST_CASE("broken formulas are refused where they break") {
   check_refused({"r $ 2", {}}, "cannot read '$ 2", 3);
   check_refused({"r = 2", {}}, "'=' would assign; '==' compares", 3);
   check_refused({"\"r\"", {}}, "unexpected 'r'", 4);
+}
+
+TEST_CASE("formulas beyond the limits are refused at once, and one at the limits is not") {
+  const auto nested = [](std::size_t depth) {
+    return std::string(depth, '(') + "exp(-r)" + std::string(depth, ')');
+  };
+  CHECK(FormulaDistribution::from_p22({nested(63), {}}).p22(0) == 1);
+  check_refused_in_short({nested(64), {}}, "column 68: more than 64 parentheses are open");
+  check_refused_in_short({std::string(1000000, '('), {}}, "goes on beyond 2000 characters");
+  std::string sum = "exp(-r)";
+  while (sum.size() + 2 <= 2000) sum += "+0";
+  CHECK(FormulaDistribution::from_p22({sum, {}}).p22(0) == 1);
+  check_refused_in_short({sum + "+0", {}}, "column 2001: the formula goes on beyond 2000");
+  std::map<std::string, double> many;
+  std::string products = "exp(-r)";
+  for (int k = 0; k < 33; ++k) {
+    many["k" + std::to_string(k)] = 1;
+    products += "*k" + std::to_string(k);
+  }
+  check_refused_in_short({products, many}, "it has 33 parameters; at most 32");
+  check_refused_in_short({std::string(1990, 'x'), {}}, "nothing is called 'xxx");
+  CHECK_THROWS_WITH(FormulaDistribution::from_p22({"exp(-r)", {}}, std::vector<double>(17, 1.0)),
+                    contains("17 breaks; at most 16"));
+}
+
+TEST_CASE("a message shows the part of a long formula that it is about") {
+  const std::string padding(500, ' ');
+  check_refused_in_short({"exp(-r)" + padding + "+ rr" + padding, {}}, "+ rr");
 }
 
 TEST_CASE("parameters that cannot be meant are refused by name") {

@@ -1,12 +1,15 @@
 // Specifications: what they mean, that names read back, and every error with its column.
 #include "vndf/distributions/parse_distribution.h"
 
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
 #include "support/catch.h"
 #include "vndf/distributions/families.h"
 #include "vndf/distributions/family_list.h"
+#include "vndf/support/text.h"
 
 using namespace vndf::distributions;
 using namespace vndf::test;
@@ -63,7 +66,7 @@ TEST_CASE("mixtures are read, exponents of numbers included") {
 
 TEST_CASE("a name is a specification of an equal distribution") {
   for (const char* spec :
-       {"ggx", "student-t:gamma=1.5000000000000002", "k:nu=0.1", "blinn-phong:n=1e-7",
+       {"ggx", "student-t:gamma=1.5500000000000003", "k:nu=0.3", "blinn-phong:n=1e-7",
         "mixture:0.1*ggx+0.2*k:nu=3@0.3333333333333333+1e-20*annulus:inner=0.1"}) {
     const auto d = parse_distribution(spec), again = parse_distribution(d->name());
     CHECK(again->name() == d->name());
@@ -101,8 +104,47 @@ TEST_CASE("parameters that are no numbers are refused") {
 }
 
 TEST_CASE("numbers out of range are refused where they stand") {
-  check_refused("student-t:gamma=1.5", "student-t: gamma is 1.5; it must be > 3/2", 11);
-  check_refused("mixture:1*ggx+1*annulus:inner=1@2", "annulus: inner is 1; it must be", 25);
+  check_refused("student-t:gamma=1.5", "student-t: gamma is 1.5; it must be from 1.55 to 1e+06",
+                11);
+  check_refused("mixture:1*ggx+1*annulus:inner=1@2",
+                "annulus: inner is 1; it must be from 0 to 0.999", 25);
+}
+
+TEST_CASE(
+    "the ends of every range are accepted, and what lies beyond is refused by name and range") {
+  for (const FamilyInfo& family : families())
+    for (const FamilyParameter& parameter : family.accepts) {
+      const auto with = [&](double value) {
+        return family.name + ":" + parameter.name + "=" + vndf::support::number_text(value);
+      };
+      const double infinity = std::numeric_limits<double>::infinity();
+      for (const double end : {parameter.least, parameter.greatest})
+        CHECK(name_of(with(end)) == with(end));
+      for (const double beyond : {std::nextafter(parameter.least, -infinity),
+                                  std::nextafter(parameter.greatest, infinity)})
+        CHECK_THROWS_WITH(parse_distribution(with(beyond)),
+                          contains(family.name + ": " + parameter.name + " is ") &&
+                              contains("it must be from " + parameter.range()));
+    }
+}
+
+TEST_CASE("long texts and mixtures are refused, with a message that quotes a part of them") {
+  const auto refused = [](const std::string& spec, const std::string& why) {
+    CHECK_THROWS_WITH(parse_distribution(spec), contains(why));
+    try {
+      parse_distribution(spec);
+    } catch (const std::invalid_argument& error) {
+      CHECK(std::string(error.what()).size() < 400);
+    }
+  };
+  std::string mixture = "mixture:1*ggx";
+  for (int k = 1; k < 16; ++k) mixture += "+1*ggx";
+  CHECK(name_of(mixture) == mixture);
+  refused(mixture + "+1*ggx", "it has 17 components; at most 16 are allowed");
+  refused(std::string(2001, 'g'), "has 2001 characters; at most 2000");
+  refused(std::string(2000, 'g'), "no distribution is called 'ggg");
+  refused("student-t:" + std::string(1900, 'g') + "=2", "student-t has no parameter 'ggg");
+  refused("student-t:gamma=" + std::string(1900, '1') + "x", "gamma is '111");
 }
 
 TEST_CASE("broken mixtures are refused") {
@@ -111,12 +153,13 @@ TEST_CASE("broken mixtures are refused") {
   check_refused("mixture:1*ggx++1*ggx", "mixture: a component is empty", 15);
   check_refused("mixture:1*ggx+", "mixture: a component is empty", 15);
   check_refused("mixture:1*", "a distribution is missing", 11);
-  check_refused("mixture:ggx", "component 'ggx' has no weight; write WEIGHT*ggx", 9);
+  check_refused("mixture:ggx", "component 'ggx' has no weight; write WEIGHT*FAMILY", 9);
   check_refused("mixture:*ggx", "mixture: the weight has no number", 9);
   check_refused("mixture:a*ggx", "mixture: the weight is 'a', which is not a finite number", 9);
   check_refused("mixture:1*ggx+0*ggx", "mixture: the weight is 0; it must be > 0", 15);
   check_refused("mixture:-1*ggx", "mixture: the weight is -1; it must be > 0", 9);
-  check_refused("mixture:1*ggx@0", "mixture: the roughness is 0; it must be > 0", 15);
+  check_refused("mixture:1*ggx@0", "mixture: the roughness is 0; it must be from 0.001 to 1000",
+                15);
   check_refused("mixture:1*ggx@", "mixture: the roughness has no number", 15);
   check_refused("mixture:1*mixture:1*ggx", "a mixture cannot hold a mixture", 11);
 }

@@ -6,9 +6,12 @@
 #include "support/built_tables.h"
 #include "support/catch.h"
 #include "support/tolerances.h"
+#include "vndf/distributions/family_list.h"
 #include "vndf/distributions/formula_distribution.h"
 #include "vndf/distributions/parse_distribution.h"
+#include "vndf/precompute/build_tables.h"
 #include "vndf/precompute/measure_certificate.h"
+#include "vndf/support/text.h"
 
 using namespace vndf;
 using namespace vndf::distributions;
@@ -66,6 +69,20 @@ TEST_CASE("1024 x 1024 tables of every family keep the README's bounds") {
     check_ratios(c.conditional.lower, b.tail);
     check_ratios(c.conditional.upper, b.tail);
   }
+}
+
+// Two minutes on one core.
+TEST_CASE("at both ends of every range the tables keep the stated u-error", "[.slow]") {
+  for (const FamilyInfo& family : families())
+    for (const FamilyParameter& parameter : family.accepts)
+      for (const double end : {parameter.least, parameter.greatest}) {
+        const std::string spec =
+            family.name + ":" + parameter.name + "=" + support::number_text(end);
+        const Certificate certificate = build_tables(*parse_distribution(spec)).certificate;
+        CAPTURE(spec);
+        CHECK(certificate.marginal.max_u_error <= kRangeUError);
+        CHECK(certificate.conditional.max_u_error <= kRangeUError);
+      }
 }
 
 TEST_CASE("families that are each other's have each other's tables") {

@@ -146,8 +146,8 @@ std::vector<Name> names_in(const std::string& text) {
 }
 
 [[noreturn]] void fail(const std::string& text, std::size_t position, const std::string& why) {
-  throw std::invalid_argument("formula '" + text + "', column " + std::to_string(position + 1) +
-                              ": " + why);
+  throw std::invalid_argument("formula " + support::quoted(text, position) + ", column " +
+                              std::to_string(position + 1) + ": " + why);
 }
 
 /// The names that a formula may use.
@@ -166,8 +166,8 @@ struct KnownNames {
 
 void check_parameters(const Definition& definition, const KnownNames& known) {
   for (const auto& [name, value] : definition.formula.parameters) {
-    const std::string start =
-        "formula '" + definition.formula.text + "': parameter '" + name + "' ";
+    const std::string start = "formula " + support::quoted(definition.formula.text) +
+                              ": parameter " + support::quoted(name) + " ";
     if (name.empty() || !starts_name(name[0]) ||
         !std::all_of(name.begin(), name.end(), continues_name))
       throw std::invalid_argument(start + "is not a name: letters, digits and _");
@@ -184,7 +184,7 @@ void check_parameters(const Definition& definition, const KnownNames& known) {
 }
 
 void check_name(const Name& name, const std::string& text, const KnownNames& known) {
-  const std::string quoted = "'" + name.text + "'";
+  const std::string quoted = support::quoted(name.text);
   if (contains(known.functions, name.text)) {
     if (!name.called) fail(text, name.position, "function " + quoted + " needs '(' after it");
   } else if (!contains(known.values, name.text) && !contains(known.constants, name.text)) {
@@ -193,6 +193,28 @@ void check_name(const Name& name, const std::string& text, const KnownNames& kno
     fail(text, name.position,
          (name.called ? "there is no function " : "nothing is called ") + quoted + nearest +
              (nearest.empty() ? "; known: " : " known: ") + support::listed(candidates));
+  }
+}
+
+/// Throws for a formula that is too long, too deep or of too many parameters.
+void check_size(const Formula& formula) {
+  const std::string& text = formula.text;
+  if (text.size() > kMaxFormulaLength)
+    fail(text, kMaxFormulaLength,
+         "the formula goes on beyond " + std::to_string(kMaxFormulaLength) +
+             " characters; write it shorter, or give the density as a profile");
+  if (formula.parameters.size() > kMaxFormulaParameters)
+    throw std::invalid_argument("formula " + support::quoted(text) + ": it has " +
+                                std::to_string(formula.parameters.size()) +
+                                " parameters; at most " + std::to_string(kMaxFormulaParameters) +
+                                " are allowed");
+  std::size_t depth = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '(') ++depth;
+    if (text[i] == ')' && depth > 0) --depth;
+    if (depth > kMaxFormulaDepth)
+      fail(text, i,
+           "more than " + std::to_string(kMaxFormulaDepth) + " parentheses are open; nest fewer");
   }
 }
 
@@ -210,7 +232,7 @@ void check_no_assignment(const std::string& text) {
 
 /// Returns what muParser means in our terms, because its own messages count columns from 0.
 std::string explained(const mu::ParserError& error) {
-  const std::string token = "'" + error.GetToken() + "'";
+  const std::string token = support::quoted(error.GetToken());
   switch (error.GetCode()) {
     case mu::ecUNEXPECTED_EOF:
       return "the formula ends where a value is expected";
@@ -262,6 +284,7 @@ CompiledFormula::CompiledFormula(const Formula& formula,
   Definition definition{formula, variables, {}, formula.text};
   for (const auto& [name, value] : formula.parameters)
     definition.shown += ", " + name + "=" + support::number_text(value);
+  check_size(formula);
   if (formula.text.find_first_not_of(' ') == std::string::npos)
     fail(formula.text, 0, "the formula is empty");
   const KnownNames known(definition);

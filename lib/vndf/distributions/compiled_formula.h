@@ -2,12 +2,19 @@
 // threads.
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace vndf::distributions {
+
+/// Longest formula in characters, its parameters, and how many parentheses may be open. A formula
+/// that a person writes keeps them by far. A longer one would make every build slow, because its
+/// density is evaluated some 1e7 times.
+inline constexpr std::size_t kMaxFormulaLength = 2000, kMaxFormulaParameters = 32,
+                             kMaxFormulaDepth = 64;
 
 /// A formula and the numbers that its names stand for. It may use + - * / ^, comparisons, && ||,
 /// CONDITION ? A : B, the constants pi and e, and the functions abs acos acosh asin asinh atan
@@ -24,7 +31,8 @@ class CompiledFormula {
   /// `variables` are the names of the one or two arguments. Throws std::invalid_argument, one line
   /// with the formula, the column (from 1) and what is wrong there, for a formula that cannot be
   /// understood and for an unknown name (with the nearest known one); and, naming it, for a
-  /// parameter that has no usable name or that the formula does not use.
+  /// parameter that has no usable name or that the formula does not use. Each message quotes 60
+  /// characters at most. It throws likewise for a formula beyond one of the limits above.
   CompiledFormula(const Formula& formula, const std::vector<std::string>& variables);
 
   /// The formula with its parameters, "exp(-a*r), a=2".

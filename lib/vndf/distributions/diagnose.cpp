@@ -14,7 +14,7 @@ namespace vndf::distributions {
 namespace {
 
 [[noreturn]] void fail(const SlopeDistribution& d, const std::string& why) {
-  throw std::domain_error("distribution '" + d.name() + "': " + why);
+  throw std::domain_error("distribution " + support::quoted(d.name()) + ": " + why);
 }
 
 /// Returns the radii > 0 at which p22 is tried, increasing.

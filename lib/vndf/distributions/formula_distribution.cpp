@@ -38,6 +38,9 @@ double end_of(P22 p22) {
 }
 
 std::vector<double> checked_breaks(std::vector<double> breaks, double support) {
+  if (breaks.size() > kMaxBreaks)
+    throw std::invalid_argument("the formula has " + std::to_string(breaks.size()) +
+                                " breaks; at most " + std::to_string(kMaxBreaks) + " are allowed");
   for (const double r : breaks)
     if (!(r > 0) || !std::isfinite(r))
       throw std::invalid_argument("the break at slope radius " + support::number_text(r) +

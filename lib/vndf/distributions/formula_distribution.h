@@ -3,6 +3,7 @@
 // where theta is the angle from the mean normal and p22(r) = D(atan(r)) cos^4(atan(r)).
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -31,12 +32,16 @@ class NdfFormula {
   CompiledFormula formula_;
 };
 
+/// Most breaks of a formula. The tables have 8192 places between any two of them.
+inline constexpr std::size_t kMaxBreaks = 16;
+
 /// A slope distribution whose density is a formula. If the formula is 0 beyond some radius, as in
 /// "r < 2 ? 1 - r/2 : 0", this radius is found and becomes the support.
 class FormulaDistribution final : public SlopeDistribution {
  public:
   /// p22 as a formula in r, with the radii at which it jumps or has a kink. Throws as
-  /// CompiledFormula does, and std::invalid_argument unless breaks are finite and > 0.
+  /// CompiledFormula does, and std::invalid_argument unless breaks are at most kMaxBreaks, finite
+  /// and > 0.
   static FormulaDistribution from_p22(const Formula& formula,
                                       const std::vector<double>& breaks = {});
 

@@ -106,7 +106,7 @@ MeasuredProfile::MeasuredProfile(std::string name, RadialProfile samples, Profil
 }
 
 void MeasuredProfile::fail(const std::string& why) const {
-  throw std::domain_error("distribution '" + name_ + "': " + why);
+  throw std::domain_error("distribution " + support::quoted(name_) + ": " + why);
 }
 
 void MeasuredProfile::place_knots() {

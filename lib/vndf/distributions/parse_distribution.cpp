@@ -24,7 +24,7 @@ class Piece {
   explicit Piece(const std::string& spec) : Piece(spec, 0, spec.size()) {}
 
   std::string_view text() const { return std::string_view(spec_).substr(begin_, end_ - begin_); }
-  std::string quoted() const { return std::string("'").append(text()).append("'"); }
+  std::string quoted() const { return support::quoted(text()); }
   bool empty() const { return begin_ == end_; }
 
   /// The characters [from, to) of the text.
@@ -33,8 +33,8 @@ class Piece {
   }
 
   [[noreturn]] void refuse(const std::string& why) const {
-    throw std::invalid_argument(why + " (column " + std::to_string(begin_ + 1) + " of '" + spec_ +
-                                "')");
+    throw std::invalid_argument(why + " (column " + std::to_string(begin_ + 1) + " of " +
+                                support::quoted(spec_, begin_) + ")");
   }
 
  private:
@@ -118,6 +118,14 @@ std::size_t parameter_called(const FamilyInfo& family, const Piece& name) {
               (nearest.empty() ? "; known: " + support::listed(known) : nearest));
 }
 
+void require_range(const Piece& piece, const std::string& family, const FamilyParameter& parameter,
+                   double value) {
+  if (value >= parameter.least && value <= parameter.greatest) return;
+  piece.refuse(family + ": " + parameter.name + " is " + support::number_text(value) +
+               "; it must be from " + parameter.range() + ", where tables keep a u-error of " +
+               support::number_text(kRangeUError));
+}
+
 /// NAME=NUMBER,... over the defaults.
 std::vector<double> parse_parameters(const FamilyInfo& family, const Piece& all) {
   std::vector<std::optional<double>> given(family.accepts.size());
@@ -130,6 +138,7 @@ std::vector<double> parse_parameters(const FamilyInfo& family, const Piece& all)
       piece.refuse(family.name + ": '=' and a number are missing after " + name.quoted());
     if (given[index]) piece.refuse(family.name + ": " + name.quoted() + " is given twice");
     given[index] = number(piece.part(equals + 1), family.name + ": " + std::string(name.text()));
+    require_range(piece, family.name, family.accepts[index], *given[index]);
   }
   std::vector<double> values;
   for (std::size_t i = 0; i < given.size(); ++i)
@@ -145,13 +154,17 @@ std::unique_ptr<SlopeDistribution> parse_family(const Piece& piece) {
   std::vector<double> values;
   for (const auto& parameter : family.accepts) values.push_back(parameter.default_value);
   if (colon == kNone) return family.make(values);
-  const Piece parameters = piece.part(colon + 1);
-  values = parse_parameters(family, parameters);
-  try {
-    return family.make(values);
-  } catch (const std::invalid_argument& out_of_range) {
-    parameters.refuse(out_of_range.what());
-  }
+  return family.make(parse_parameters(family, piece.part(colon + 1)));
+}
+
+/// Two lobes with roughnesses farther apart need a map with more nodes.
+double roughness(const Piece& piece) {
+  const double value = number(piece, "mixture: the roughness");
+  if (!(value >= kLeastRoughness && value <= kGreatestRoughness))
+    piece.refuse("mixture: the roughness is " + support::number_text(value) + "; it must be from " +
+                 support::number_text(kLeastRoughness) + " to " +
+                 support::number_text(kGreatestRoughness));
+  return value;
 }
 
 /// WEIGHT*FAMILY[:PARAMETERS][@ROUGHNESS]
@@ -159,22 +172,23 @@ Mixture::Component parse_component(const Piece& piece) {
   if (piece.empty()) piece.refuse("mixture: a component is empty");
   const std::size_t star = piece.text().find('*');
   if (star == kNone)
-    piece.refuse("mixture: component " + piece.quoted() + " has no weight; write WEIGHT*" +
-                 std::string(piece.text()));
+    piece.refuse("mixture: component " + piece.quoted() + " has no weight; write WEIGHT*FAMILY");
   const double weight = positive_number(piece.part(0, star), "mixture: the weight");
   const Piece rest = piece.part(star + 1);
   const std::size_t at = rest.text().rfind('@');
   const Piece family = rest.part(0, at == kNone ? rest.text().size() : at);
   if (family.text().substr(0, kMixture.size()) == kMixture)
     family.refuse("mixture: a mixture cannot hold a mixture");
-  return {weight, parse_family(family),
-          at == kNone ? 1 : positive_number(rest.part(at + 1), "mixture: the roughness")};
+  return {weight, parse_family(family), at == kNone ? 1 : roughness(rest.part(at + 1))};
 }
 
 std::unique_ptr<SlopeDistribution> parse_mixture(const Piece& all) {
+  const auto pieces = split_at(all, separators(all.text(), '+'));
+  if (pieces.size() > kMaxComponents)
+    all.refuse("mixture: it has " + std::to_string(pieces.size()) + " components; at most " +
+               std::to_string(kMaxComponents) + " are allowed");
   std::vector<Mixture::Component> components;
-  for (const Piece& piece : split_at(all, separators(all.text(), '+')))
-    components.push_back(parse_component(piece));
+  for (const Piece& piece : pieces) components.push_back(parse_component(piece));
   return std::make_unique<Mixture>(std::move(components));
 }
 
@@ -182,6 +196,9 @@ std::unique_ptr<SlopeDistribution> parse_mixture(const Piece& all) {
 
 std::unique_ptr<SlopeDistribution> parse_distribution(const std::string& spec) {
   const Piece whole(spec);
+  if (spec.size() > kMaxDistributionLength)
+    whole.refuse("the name of the distribution has " + std::to_string(spec.size()) +
+                 " characters; at most " + std::to_string(kMaxDistributionLength) + " are allowed");
   const std::size_t colon = whole.text().find(':');
   if (colon != kNone && whole.part(0, colon).text() == kMixture)
     return parse_mixture(whole.part(colon + 1));

@@ -75,10 +75,10 @@ void require_shape_invariant(const Ndf& ndf, const std::string& name) {
   const ShapeInvariance found = measure_shape_invariance(ndf);
   if (found.violation <= kShapeInvariant) return;
   throw NotShapeInvariant(
-      "'" + name + "' is not shape-invariant: at a slope of " + support::rounded_text(found.r) +
-      " alpha, its normalised densities for alpha = " + support::number_text(found.alpha) +
-      " and " + support::number_text(found.reference_alpha) + " differ by " +
-      support::rounded_text(found.violation) +
+      support::quoted(name) + " is not shape-invariant: at a slope of " +
+      support::rounded_text(found.r) + " alpha, its normalised densities for alpha = " +
+      support::number_text(found.alpha) + " and " + support::number_text(found.reference_alpha) +
+      " differ by " + support::rounded_text(found.violation) +
       " of the larger, so that one table cannot serve every roughness; "
       "the surface of one alpha can be taken as the shape");
 }

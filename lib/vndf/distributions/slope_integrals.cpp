@@ -7,9 +7,10 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <sstream>
 #include <stdexcept>
 #include <vector>
+
+#include "vndf/support/text.h"
 
 namespace vndf::distributions {
 namespace {
@@ -135,15 +136,14 @@ double one_minus_atan_ratio(double z) {
 }
 
 [[noreturn]] void fail(const SlopeDistribution& d, const std::string& why) {
-  throw std::domain_error("distribution '" + d.name() + "': " + why);
+  throw std::domain_error("distribution " + support::quoted(d.name()) + ": " + why);
 }
 
 double checked_p22(const SlopeDistribution& d, double r) {
   const double density = d.p22(r);
   if (density >= 0 && std::isfinite(density)) return density;
-  std::ostringstream why;
-  why << "p22 is " << density << " at slope radius " << r << "; it must be finite and >= 0";
-  fail(d, why.str());
+  fail(d, "p22 is " + support::rounded_text(density) + " at slope radius " +
+              support::rounded_text(r) + "; it must be finite and >= 0");
 }
 
 /// Boost reports divergence by an exception, by a value that is not finite or by an error estimate
@@ -158,10 +158,12 @@ Estimate convergent(const SlopeDistribution& d, const std::string& what, F f) {
     result = integrate([&](double s, double low, double high) { return f(inside(s, low, high)); },
                        0, cuts, std::isfinite(d.support()), 1);
   } catch (const boost::math::evaluation_error&) {
-    throw DivergentIntegral("distribution '" + d.name() + "': " + what + kDoesNotConverge);
+    throw DivergentIntegral("distribution " + support::quoted(d.name()) + ": " + what +
+                            kDoesNotConverge);
   }
   if (!std::isfinite(result.value) || !(result.error <= kUsableError * std::abs(result.value)))
-    throw DivergentIntegral("distribution '" + d.name() + "': " + what + kDoesNotConverge);
+    throw DivergentIntegral("distribution " + support::quoted(d.name()) + ": " + what +
+                            kDoesNotConverge);
   return result;
 }
 

@@ -46,7 +46,15 @@ std::string quoted(const std::string& text) {
   return result + "'";
 }
 
+void check_name(const std::string& name) {
+  if (name.size() > kMaxNameLength)
+    throw std::invalid_argument("the name " + support::quoted(name) + " has " +
+                                std::to_string(name.size()) + " characters; at most " +
+                                std::to_string(kMaxNameLength) + " are allowed");
+}
+
 std::string name_item(const std::string& name) {
+  check_name(name);
   return name.empty() ? "" : std::string(kNameItem) + quoted(name);
 }
 
@@ -100,7 +108,7 @@ class Reader {
  private:
   [[noreturn]] void fail(const std::string& why) const {
     throw std::invalid_argument(why + " (column " + std::to_string(at_ + 1) +
-                                " of the specification " + support::quoted(text_) + ")");
+                                " of the specification " + support::quoted(text_, at_) + ")");
   }
 
   void read_source() {
@@ -133,6 +141,7 @@ class Reader {
     if (key == "name") {
       once(key);
       parts_.name = read_quoted();
+      check_name(parts_.name);
     } else if (key == "param" && formula) {
       read_parameter();
     } else if (key == "break" && formula) {
@@ -156,7 +165,8 @@ class Reader {
   }
 
   void once(const std::string& key) {
-    if (std::ranges::find(seen_, key) != seen_.end()) fail("'" + key + "' is given twice");
+    if (std::ranges::find(seen_, key) != seen_.end())
+      fail(support::quoted(key) + " is given twice");
     seen_.push_back(key);
   }
 
@@ -165,7 +175,7 @@ class Reader {
     const std::size_t equals = word.find('=');
     if (equals == std::string::npos) fail("a parameter is not NAME=NUMBER");
     if (!parts_.parameters.emplace(word.substr(0, equals), number(word.substr(equals + 1))).second)
-      fail("the parameter '" + word.substr(0, equals) + "' is given twice");
+      fail("the parameter " + support::quoted(word.substr(0, equals)) + " is given twice");
   }
 
   void read_tail() {
@@ -222,8 +232,8 @@ std::unique_ptr<SlopeDistribution> make_p22(const Parts& parts) {
 
 void require_use_of_alpha(const NdfFormula& ndf, std::optional<double> frozen_at) {
   if (frozen_at && !ndf.uses_alpha())
-    throw std::invalid_argument("the formula '" + ndf.text() +
-                                "' does not use alpha, so it cannot be frozen at an alpha; leave "
+    throw std::invalid_argument("the formula " + support::quoted(ndf.text()) +
+                                " does not use alpha, so it cannot be frozen at an alpha; leave "
                                 "that out");
 }
 

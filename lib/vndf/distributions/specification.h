@@ -13,6 +13,7 @@
 // read back as the same float64, so that the distribution is the same bit for bit.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,8 +26,12 @@
 
 namespace vndf::distributions {
 
+/// Longest name in bytes, so that a name fits into a line.
+inline constexpr std::size_t kMaxNameLength = 200;
+
 /// Specifies a named family or mixture, with every parameter written out. Throws
-/// std::invalid_argument as parse_distribution() does. An empty `name` is none, here and below.
+/// std::invalid_argument as parse_distribution() does, and for a name longer than kMaxNameLength.
+/// An empty `name` is none. Both hold below, too.
 Specification specify_family(const std::string& text, const std::string& name = {});
 
 /// Specifies a density p22(r), with the radii at which it jumps or has a kink. Throws

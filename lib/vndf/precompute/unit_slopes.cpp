@@ -60,8 +60,8 @@ void require_range(const UnitSlopes& slopes) {
   constexpr double kLargestShare = 1e-9;
   const double share = 2 * slopes.m(kFarthest);
   if (share <= kLargestShare) return;
-  throw std::domain_error("distribution '" + slopes.distribution().name() +
-                          "': at grazing incidence a share of " + support::rounded_text(share) +
+  throw std::domain_error("distribution " + support::quoted(slopes.distribution().name()) +
+                          ": at grazing incidence a share of " + support::rounded_text(share) +
                           " of the visible slopes is above 5e303, the end of double precision; the "
                           "tail of p22 must fall faster than r^-3.03");
 }

@@ -57,10 +57,13 @@ std::string rounded_text(double value) {
   return {buffer, end};
 }
 
-std::string quoted(std::string_view text) {
-  std::string shown = "'";
-  for (const char c : text.substr(0, 60)) shown += c >= ' ' && c <= '~' ? c : '?';
-  return shown + "'";
+std::string quoted(std::string_view text, std::size_t position) {
+  constexpr std::size_t kMost = 60;
+  const std::size_t last = text.size() > kMost ? text.size() - kMost : 0;
+  const std::size_t first = std::min(position > kMost / 2 ? position - kMost / 2 : 0, last);
+  std::string shown = first > 0 ? "'..." : "'";
+  for (const char c : text.substr(first, kMost)) shown += c >= ' ' && c <= '~' ? c : '?';
+  return shown + (first < last ? "...'" : "'");
 }
 
 std::string listed(const std::vector<std::string>& items) {

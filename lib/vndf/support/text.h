@@ -2,6 +2,7 @@
 // unknown one. A message that names what was meant saves the user a look into the documentation.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,9 +20,10 @@ std::optional<double> finite_number(std::string_view text);
 /// `value` to three significant digits.
 std::string rounded_text(double value);
 
-/// The first 60 bytes of `text` in single quotes. Bytes that are not printable ASCII become '?',
-/// because a file may hold any bytes and a terminal may act on some.
-std::string quoted(std::string_view text);
+/// Up to 60 bytes of `text` in single quotes, the byte at `position` among them. "..." stands for
+/// what is left out before and after. Bytes that are not printable ASCII become '?', because a file
+/// may hold any bytes and a terminal may act on some.
+std::string quoted(std::string_view text, std::size_t position = 0);
 
 /// "a, b, c".
 std::string listed(const std::vector<std::string>& items);
