@@ -167,6 +167,10 @@ TEST_CASE("a text outside of the grammar is refused with its column") {
   check_refused({"ggx\n"}, "a control character");
   check_refused({std::string("ggx\0", 4)}, "a control character");
   CHECK_THROWS_WITH(specify_family("ggx", "two\nlines"), contains("control character"));
+  const std::string name(201, 'n');
+  check_refused({"ggx name:'" + name + "'"}, "has 201 characters; at most 200");
+  CHECK_THROWS_WITH(specify_family("ggx", name), contains("has 201 characters; at most 200"));
+  CHECK(make_distribution(specify_family("ggx", name.substr(1)))->name() == name.substr(1));
 }
 
 TEST_CASE("a specification whose samples are no profile is refused") {
