@@ -11,9 +11,11 @@
 #include "support/catch.h"
 #include "vndf/io/checksum_trailer.h"
 #include "vndf/io/crc64.h"
-#include "vndf/io/exr_table_file.h"
+#include "vndf/io/exr_reader.h"
+#include "vndf/io/exr_writer.h"
 #include "vndf/io/format_error.h"
-#include "vndf/io/hdf5_table_file.h"
+#include "vndf/io/hdf5_reader.h"
+#include "vndf/io/hdf5_writer.h"
 #include "vndf/io/stored_tables.h"
 #include "vndf/io/table_file.h"
 

@@ -16,8 +16,10 @@
 #include "vndf/io/atomic_file.h"
 #include "vndf/io/checksum_trailer.h"
 #include "vndf/io/crc64.h"
-#include "vndf/io/exr_table_file.h"
-#include "vndf/io/hdf5_table_file.h"
+#include "vndf/io/exr_reader.h"
+#include "vndf/io/exr_writer.h"
+#include "vndf/io/hdf5_reader.h"
+#include "vndf/io/hdf5_writer.h"
 #include "vndf/io/stored_tables.h"
 
 namespace {
@@ -208,7 +210,7 @@ TEST_CASE("what is not a table file is refused") {
 TEST_CASE("HDF5 and EXR files of other programs are refused") {
   StoredTables foreign;
   foreign.attributes["title"] = "something else";
-  foreign.arrays["marginal"] = {{2, 3}, std::vector<float>(6)};
+  foreign.arrays["marginal"] = foreign.arrays["other"] = {{2, 3}, std::vector<float>(6)};
   for (const std::string& extension : kExtensions) {
     check_says(error_of(written(extension, foreign)), {"another program wrote it"});
     check_says(error_of(with_trailer(written(extension, foreign))),

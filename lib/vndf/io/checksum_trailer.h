@@ -1,6 +1,7 @@
 // The checksum trailer: the last 32 bytes of every table file hold a checksum of all bytes before
-// them. HDF5 and OpenEXR trust much of what they read and may crash on damaged bytes. A file is
-// given to them only if its trailer shows that its bytes are those that were written.
+// them. It shows that a file is as it was written and was not cut short or changed by accident. It
+// does not show who wrote it: anybody can compute it for a forged file, so the readers trust
+// nothing in a file because its trailer is right (untrusted_file.h).
 //
 // Both formats allow bytes after their end, so other programs read a file with a trailer as usual.
 #pragma once

@@ -10,6 +10,7 @@
 #include "vndf/io/content_checksum.h"
 #include "vndf/io/crc64.h"
 #include "vndf/io/format_error.h"
+#include "vndf/io/stored_names.h"
 #include "vndf/io/table_format.h"
 
 namespace vndf::io {
@@ -18,12 +19,7 @@ namespace {
 using Shape = std::vector<std::size_t>;
 
 constexpr std::size_t kSegmentColumns = 4;
-constexpr char kSamples[] = "profile_samples";
 constexpr char kRemake[] = "build the table again";
-
-std::string certificate_name(const std::string& figure) {
-  return "certificate_" + figure;
-}
 
 // Names in messages.
 template <class T>
@@ -170,6 +166,13 @@ void check_coordinates(const StoredTables& stored) {
                       "use the program that wrote it, or make the file again");
 }
 
+/// What a message quotes must not move the cursor of a terminal.
+void check_texts(const StoredTables& stored) {
+  for (const auto& [name, attribute] : stored.attributes)
+    if (const auto* text = std::get_if<std::string>(&attribute))
+      if (const auto broken = check_text(name, *text)) throw FormatError(*broken, kRemake);
+}
+
 void check_version(const StoredTables& stored) {
   const int major = attribute<int>(stored, "format_major");
   const int minor = attribute<int>(stored, "format_minor");
@@ -179,17 +182,6 @@ void check_version(const StoredTables& stored) {
   if (major > kFormatMajor)
     throw FormatError(version + " is newer than this program reads",
                       "use a newer program, or build the table again with this one");
-}
-
-void check_identity(const StoredTables& stored) {
-  const auto type = stored.attributes.find("file_type");
-  if (type == stored.attributes.end() || !std::holds_alternative<std::string>(type->second) ||
-      std::get<std::string>(type->second) != kFileType)
-    throw FormatError(std::string("its attribute 'file_type' is not '") + kFileType +
-                          "', so another program wrote it",
-                      "give a file written by vndf");
-  check_version(stored);
-  check_coordinates(stored);
 }
 
 QuantileTable table_of(const StoredTables& stored, const std::string& name) {
@@ -339,6 +331,18 @@ bool may_read(const Shape& shape) {
   const bool like_table = shape[0] <= kMaxTableSide && shape[1] <= kMaxTableSide;
   const bool like_curve = shape[0] <= kMaxCurveNodes && shape[1] <= kSegmentColumns;
   return like_table || like_curve;
+}
+
+void check_identity(const StoredTables& stored) {
+  const auto type = stored.attributes.find("file_type");
+  if (type == stored.attributes.end() || !std::holds_alternative<std::string>(type->second) ||
+      std::get<std::string>(type->second) != kFileType)
+    throw FormatError(std::string("its attribute 'file_type' is not '") + kFileType +
+                          "', so another program wrote it",
+                      "give a file written by vndf");
+  check_version(stored);
+  check_texts(stored);
+  check_coordinates(stored);
 }
 
 StoredTables to_stored(const TableFile& file) {

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "vndf/io/stored_names.h"
 #include "vndf/io/table_content.h"
 
 namespace vndf::io {
@@ -39,6 +40,10 @@ struct StoredTables {
 /// True if an array of this shape may be read: two axes, neither empty nor over every limit of
 /// table_format.h. A reader leaves the values of any other array NotUsed and allocates nothing.
 bool may_read(const std::vector<std::size_t>& shape);
+
+/// Throws FormatError unless the attributes are those of a table file of this version, with texts
+/// that keep the rules. Every reader calls it before it looks at arrays.
+void check_identity(const StoredTables& stored);
 
 /// Throws FormatError if the tables are missing or break a rule of check() or a limit of the
 /// format.

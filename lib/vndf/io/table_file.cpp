@@ -8,10 +8,13 @@
 
 #include "vndf/io/atomic_file.h"
 #include "vndf/io/checksum_trailer.h"
-#include "vndf/io/exr_table_file.h"
+#include "vndf/io/exr_reader.h"
+#include "vndf/io/exr_writer.h"
 #include "vndf/io/format_error.h"
-#include "vndf/io/hdf5_table_file.h"
+#include "vndf/io/hdf5_reader.h"
+#include "vndf/io/hdf5_writer.h"
 #include "vndf/io/stored_tables.h"
+#include "vndf/io/untrusted_file.h"
 
 namespace vndf::io {
 namespace {
@@ -32,8 +35,22 @@ Format format_of(std::string_view bytes) {
   throw FormatError("it is neither an HDF5 nor an EXR file", "give a file written by vndf");
 }
 
+std::uint64_t array_bytes(const StoredTables& stored) {
+  std::uint64_t bytes = 0;
+  for (const auto& [name, array] : stored.arrays) {
+    if (const auto* f = std::get_if<std::vector<float>>(&array.values)) bytes += 4 * f->size();
+    if (const auto* d = std::get_if<std::vector<double>>(&array.values)) bytes += 8 * d->size();
+  }
+  return bytes;
+}
+
+/// Refuses to write what no reader would take.
 std::string encoded(Format format, const StoredTables& stored) {
-  return format == Format::hdf5 ? write_hdf5(stored) : write_exr(stored);
+  std::string bytes = format == Format::hdf5 ? write_hdf5(stored) : write_exr(stored);
+  if (array_bytes(stored) > most_array_bytes(bytes.size()))
+    throw FormatError("its arrays are larger than a file of its size may hold",
+                      "make smaller tables, for their rows are almost the same");
+  return bytes;
 }
 
 StoredTables decoded(Format format, std::string_view content) {

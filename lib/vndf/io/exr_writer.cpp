@@ -1,14 +1,12 @@
-// Writing and reading EXR in memory. EXR has no float64 pixels: float64 arrays are two channels of
+// Writing EXR in memory. EXR has no float64 pixels: float64 arrays are two channels of
 // 32-bit words, which keeps every bit.
-#include "vndf/io/exr_table_file.h"
+#include "vndf/io/exr_writer.h"
 
 #include <ImfChannelList.h>
 #include <ImfDoubleAttribute.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfInputPart.h>
 #include <ImfIntAttribute.h>
-#include <ImfMultiPartInputFile.h>
 #include <ImfMultiPartOutputFile.h>
 #include <ImfOutputPart.h>
 #include <ImfPartType.h>
@@ -44,14 +42,6 @@ Words words_of(const std::vector<double>& values) {
   return words;
 }
 
-std::vector<double> doubles_of(const Words& words) {
-  std::vector<double> values;
-  values.reserve(words.high.size());
-  for (std::size_t i = 0; i < words.high.size(); ++i)
-    values.push_back(std::bit_cast<double>(std::uint64_t{words.high[i]} << 32 | words.low[i]));
-  return values;
-}
-
 /// A channel kept in `values`, rows of `columns`. OpenEXR reads through the pointer or writes, as
 /// the file is written or read, and takes no const.
 template <class T>
@@ -73,8 +63,6 @@ Imf::FrameBuffer frame_of(const Words& words, std::size_t columns) {
   return frame;
 }
 
-// Writing.
-
 void insert(Imf::Header& header, const std::string& name, int value) {
   header.insert(name, Imf::IntAttribute(value));
 }
@@ -88,12 +76,23 @@ void insert(Imf::Header&, const std::string& name, NotUsed) {
   throw FormatError("the attribute '" + name + "' has no value", "give it one");
 }
 
-Imf::Header header_of(const std::string& name, const Array& array) {
+Imath::Box2i window_of(const std::string& name, const Array& array) {
   if (array.shape.size() != 2)
     throw FormatError("the array '" + name + "' has not two axes", "give it rows and columns");
-  Imf::Header header(static_cast<int>(array.shape[1]), static_cast<int>(array.shape[0]));
-  // All parts of a file share one display window; it has no meaning here.
-  header.displayWindow() = {{0, 0}, {0, 0}};
+  return {{0, 0}, {static_cast<int>(array.shape[1]) - 1, static_cast<int>(array.shape[0]) - 1}};
+}
+
+/// What programs show of every part, for EXR demands that all parts share it: the tables.
+Imath::Box2i display_of(const StoredTables& stored) {
+  Imath::Box2i display{{0, 0}, {0, 0}};
+  for (const char* name : {"marginal", "conditional"})
+    if (const auto found = stored.arrays.find(name); found != stored.arrays.end())
+      display.extendBy(window_of(found->first, found->second));
+  return display;
+}
+
+Imf::Header header_of(const std::string& name, const Array& array, const Imath::Box2i& display) {
+  Imf::Header header(display, window_of(name, array));
   header.compression() = Imf::ZIP_COMPRESSION;
   header.setName(name);
   header.setType(Imf::SCANLINEIMAGE);
@@ -107,8 +106,10 @@ Imf::Header header_of(const std::string& name, const Array& array) {
 }
 
 std::vector<Imf::Header> headers_of(const StoredTables& stored) {
+  const Imath::Box2i display = display_of(stored);
   std::vector<Imf::Header> headers;
-  for (const auto& [name, array] : stored.arrays) headers.push_back(header_of(name, array));
+  for (const auto& [name, array] : stored.arrays)
+    headers.push_back(header_of(name, array, display));
   for (const auto& [name, attribute] : stored.attributes)
     std::visit([&, &n = name](const auto& value) { insert(headers.at(0), n, value); }, attribute);
   return headers;
@@ -137,71 +138,6 @@ void write_file(Imf::OStream& stream, const StoredTables& stored) {
   for (const auto& [name, array] : stored.arrays) write_array(file, part++, array);
 }
 
-// Reading.
-
-Attribute read_attribute(const Imf::Attribute& attribute) {
-  if (const auto* i = dynamic_cast<const Imf::IntAttribute*>(&attribute)) return i->value();
-  if (const auto* d = dynamic_cast<const Imf::DoubleAttribute*>(&attribute)) return d->value();
-  if (const auto* s = dynamic_cast<const Imf::StringAttribute*>(&attribute)) return s->value();
-  return NotUsed{};
-}
-
-/// Rows and columns of a part whose pixels start at (0, 0); nothing of any other.
-std::vector<std::size_t> shape_of(const Imf::Header& header) {
-  const Imath::Box2i& window = header.dataWindow();
-  if (window.min != Imath::V2i(0, 0) || window.max.x < 0 || window.max.y < 0) return {};
-  return {static_cast<std::size_t>(window.max.y) + 1, static_cast<std::size_t>(window.max.x) + 1};
-}
-
-/// True if `names` are the channels of the part, all of one type and full resolution.
-bool has_channels(const Imf::Header& header, const std::vector<std::string>& names,
-                  Imf::PixelType type) {
-  std::size_t count = 0;
-  for (auto c = header.channels().begin(); c != header.channels().end(); ++c) ++count;
-  if (count != names.size()) return false;
-  for (const std::string& name : names) {
-    const Imf::Channel* c = header.channels().findChannel(name);
-    if (c == nullptr || c->type != type || c->xSampling != 1 || c->ySampling != 1) return false;
-  }
-  return true;
-}
-
-template <class Pixels>
-void read_pixels(Imf::MultiPartInputFile& file, int part, const Array& array, Pixels& pixels) {
-  Imf::InputPart in(file, part);
-  in.setFrameBuffer(frame_of(pixels, array.shape[1]));
-  in.readPixels(0, static_cast<int>(array.shape[0]) - 1);
-}
-
-Array read_array(Imf::MultiPartInputFile& file, int part) {
-  const Imf::Header& header = file.header(part);
-  Array array{shape_of(header), NotUsed{}};
-  const bool scanlines = !header.hasType() || header.type() == Imf::SCANLINEIMAGE;
-  if (!scanlines || !may_read(array.shape)) return array;
-  const std::size_t count = array.shape[0] * array.shape[1];
-  if (has_channels(header, {kValue}, Imf::FLOAT)) {
-    std::vector<float> values(count);
-    read_pixels(file, part, array, values);
-    array.values = std::move(values);
-  } else if (has_channels(header, {kHigh, kLow}, Imf::UINT)) {
-    Words words{std::vector<std::uint32_t>(count), std::vector<std::uint32_t>(count)};
-    read_pixels(file, part, array, words);
-    array.values = doubles_of(words);
-  }
-  return array;
-}
-
-StoredTables read_file(Imf::MultiPartInputFile& file) {
-  StoredTables stored;
-  const Imf::Header& first = file.header(0);
-  for (auto a = first.begin(); a != first.end(); ++a)
-    stored.attributes[a.name()] = read_attribute(a.attribute());
-  for (int part = 0; part < file.parts(); ++part)
-    if (file.header(part).hasName())
-      stored.arrays[file.header(part).name()] = read_array(file, part);
-  return stored;
-}
-
 }  // namespace
 
 std::string write_exr(const StoredTables& stored) try {
@@ -213,15 +149,6 @@ std::string write_exr(const StoredTables& stored) try {
 } catch (const std::exception& error) {
   throw FormatError(std::string("OpenEXR cannot write it: ") + error.what(),
                     "make the tables again");
-}
-
-StoredTables read_exr(std::string_view bytes) try {
-  ExrMemoryInput stream(bytes);
-  Imf::MultiPartInputFile file(stream, kNoThreads, false);
-  return read_file(file);
-} catch (const std::exception& error) {
-  throw FormatError(std::string("OpenEXR cannot read it: ") + error.what(),
-                    "build the table again");
 }
 
 }  // namespace vndf::io
