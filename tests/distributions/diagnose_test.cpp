@@ -110,7 +110,17 @@ TEST_CASE("a gap is refused with its ends, a hole in the middle is not") {
 }
 
 TEST_CASE("a density that is zero everywhere is refused") {
-  check_refused(Function([](double) { return 0.0; }), "p22 is zero everywhere");
+  check_refused(Function([](double) { return 0.0; }), "p22 is zero at every slope radius");
+}
+
+TEST_CASE("a density whose mass lies beyond the radii that are tried is refused with that reason") {
+  const auto refused = [](const std::string& formula, const std::string& why) {
+    CHECK_THROWS_WITH(diagnose(FormulaDistribution::from_p22({formula, {}})), contains(why));
+  };
+  refused("exp(-(r/1e200)^2)", "does not fall up to a slope radius of 1e8");
+  refused("exp(-(r/1e-200)^2)", "zero at every slope radius that was tried, from 1e-8 to 1e8");
+  refused("1/(1+r^2)", "does not converge");
+  CHECK_NOTHROW(diagnose(FormulaDistribution::from_p22({"exp(-(r/1e5)^2)", {}})));
 }
 
 TEST_CASE("densities without a finite integral or mean are refused") {

@@ -247,8 +247,8 @@ TEST_CASE("tails that leave nothing within the samples or beyond them are refuse
 }
 
 TEST_CASE("numbers at the limits have finite integrals") {
-  constexpr double kLarge = kLargestProfileNumber, kSmall = kSmallestProfileNumber;
-  for (const double density : {kLarge, kSmall}) {
+  constexpr double kLarge = kLargestRadius, kSmall = kSmallestRadius;
+  for (const double density : {kLargestPeak, kSmallestPeak}) {
     const MeasuredProfile near(
         "near", {{0, kSmall, 2 * kSmall, 3 * kSmall}, {0, density, 1e-320, 0}}, ProfileTail::none);
     const MeasuredProfile far("far",

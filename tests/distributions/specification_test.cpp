@@ -156,7 +156,8 @@ TEST_CASE("a text outside of the grammar is refused with its column") {
   check_refused({"p22:'exp(-r)' tail:none"}, "'tail' is unknown here; known: param, break, name");
   check_refused({"p22:'exp(-r)' break"}, "has no ':'");
   check_refused({"p22:'exp(-r)' break:x"}, "'x' is not a finite number");
-  check_refused({"p22:'exp(-r)' break:-1"}, "must be a finite number > 0");
+  check_refused({"p22:'exp(-r)' break:-1"}, "must be a number from 1e-08 to 1e+08");
+  check_refused({"p22:'exp(-r)' break:1e300"}, "1e+300 must be a number from");
   check_refused({"p22:'exp(-k*r)' param:k"}, "not NAME=NUMBER");
   check_refused({"p22:'exp(-k*r)' param:k=1 param:k=2"}, "'k' is given twice");
   check_refused({"p22:'exp(-k*r)' param:k=inf"}, "'inf' is not a finite number");

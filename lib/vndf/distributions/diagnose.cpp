@@ -17,13 +17,13 @@ namespace {
   throw std::domain_error("distribution " + support::quoted(d.name()) + ": " + why);
 }
 
+constexpr double kFarthest = 1e8;
+
 /// Returns the radii > 0 at which p22 is tried, increasing.
 std::vector<double> radii_to_look_at(const SlopeDistribution& d) {
   constexpr int kCount = 4000;
-  constexpr double kDecades = 8;
   std::vector<double> radii;
-  for (int i = 0; i <= kCount; ++i)
-    radii.push_back(std::pow(10, kDecades * (2.0 * i / kCount - 1)));
+  for (int i = 0; i <= kCount; ++i) radii.push_back(std::pow(kFarthest, 2.0 * i / kCount - 1));
   double last = 0;
   for (const double at : d.breaks()) {
     for (const double side : {1 - 1e-3, 1 - 1e-9, 1 + 1e-9, 1 + 1e-3}) radii.push_back(side * at);
@@ -86,6 +86,21 @@ void check_scan(const SlopeDistribution& d) {
     }
     last_positive = i;
   }
+  if (last_positive == radii.size())
+    fail(d,
+         "p22 is zero at every slope radius that was tried, from 1e-8 to 1e8; write it in "
+         "other units of slope");
+}
+
+/// Throws where the mass lies beyond the scan, because the integrals would not find it and end in a
+/// false reason. A mass that diverges slowly is left to them.
+void check_place(const SlopeDistribution& d) {
+  const auto mass = [&](double r) { return r * r * d.p22(r); };
+  // Above r^-3/2 the mass up to r grows by more than the root of the factor of r.
+  if (mass(kFarthest) > std::sqrt(10) * mass(kFarthest / 10))
+    fail(d,
+         "p22 does not fall up to a slope radius of 1e8, so that its mass would lie beyond; "
+         "write it in other units of slope");
 }
 
 }  // namespace
@@ -93,6 +108,7 @@ void check_scan(const SlopeDistribution& d) {
 void diagnose(const SlopeDistribution& d, const DiagnoseOptions& options) {
   check_zero(d, options);
   check_scan(d);
+  check_place(d);
   mean_slope(d, slope_mass(d).value);  // both throw where they do not converge
 }
 

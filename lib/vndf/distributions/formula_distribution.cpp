@@ -42,9 +42,10 @@ std::vector<double> checked_breaks(std::vector<double> breaks, double support) {
     throw std::invalid_argument("the formula has " + std::to_string(breaks.size()) +
                                 " breaks; at most " + std::to_string(kMaxBreaks) + " are allowed");
   for (const double r : breaks)
-    if (!(r > 0) || !std::isfinite(r))
+    if (!(r >= kNearestBreak && r <= kFarthestBreak))
       throw std::invalid_argument("the break at slope radius " + support::number_text(r) +
-                                  " must be a finite number > 0");
+                                  " must be a number from " + support::number_text(kNearestBreak) +
+                                  " to " + support::number_text(kFarthestBreak));
   std::erase_if(breaks, [&](double r) { return r > support * (1 - 1e-9); });
   if (std::isfinite(support)) breaks.push_back(support);
   std::sort(breaks.begin(), breaks.end());

@@ -32,8 +32,10 @@ class NdfFormula {
   CompiledFormula formula_;
 };
 
-/// Most breaks of a formula. The tables have 8192 places between any two of them.
+/// Most breaks of a formula, and where they may lie. The builder samples curves at 8192 places
+/// between any two of them, and looks for slopes where diagnose() does.
 inline constexpr std::size_t kMaxBreaks = 16;
+inline constexpr double kNearestBreak = 1e-8, kFarthestBreak = 1e8;
 
 /// A slope distribution whose density is a formula. If the formula is 0 beyond some radius, as in
 /// "r < 2 ? 1 - r/2 : 0", this radius is found and becomes the support.
@@ -47,7 +49,8 @@ class FormulaDistribution final : public SlopeDistribution {
 
   /// The surface of roughness `alpha` of a normal distribution, in its natural slopes r =
   /// tan(theta). For a shape-invariant D (shape_invariance.h) alpha = 1 is unit roughness. Throws
-  /// std::invalid_argument unless alpha and breaks, in r, are finite and > 0.
+  /// std::invalid_argument unless alpha is finite and > 0 and breaks, in r, are within the limits
+  /// above.
   static FormulaDistribution from_ndf(const NdfFormula& ndf, double alpha = 1,
                                       const std::vector<double>& breaks = {});
 

@@ -20,8 +20,8 @@ std::string sample_text(const RadialProfile& samples, std::size_t i) {
          ", p22 = " + support::number_text(samples.p22[i]) + ")";
 }
 
-bool in_limits(double number) {
-  return number == 0 || (number >= kSmallestProfileNumber && number <= kLargestProfileNumber);
+bool in_limits(double r) {
+  return r == 0 || (r >= kSmallestRadius && r <= kLargestRadius);
 }
 
 void check_numbers(const RadialProfile& samples) {
@@ -29,9 +29,9 @@ void check_numbers(const RadialProfile& samples) {
     const double r = samples.r[i], density = samples.p22[i];
     if (!(r >= 0 && density >= 0) || std::isinf(r) || std::isinf(density))
       fail(sample_text(samples, i) + ": radii and densities must be finite and >= 0");
-    if (!in_limits(r) || density > kLargestProfileNumber)
+    if (!in_limits(r) || density > kLargestPeak)
       fail(sample_text(samples, i) +
-           ": radii must be 0 or lie within 1e-30 and 1e30, and densities must be at most 1e30; "
+           ": radii must be 0 or lie within 1e-30 and 1e8, and densities must be at most 1e30; "
            "use other units, since the scale of either does not matter");
     if (i > 0 && !(r > samples.r[i - 1])) fail(sample_text(samples, i) + ": radii must increase");
     if (i > 0 && !(r - samples.r[i - 1] >= kSmallestRadiusStep * r))
@@ -67,7 +67,7 @@ RadialProfile checked_profile(RadialProfile samples) {
   const auto begin = samples.p22.begin();
   const auto first = std::find_if(begin, samples.p22.end(), positive);
   if (first == samples.p22.end()) fail("p22 is zero at every sample");
-  if (*std::max_element(first, samples.p22.end()) < kSmallestProfileNumber)
+  if (*std::max_element(first, samples.p22.end()) < kSmallestPeak)
     fail("p22 is below 1e-30 at every sample; use another unit, since its scale does not matter");
   const auto end = std::find_if(samples.p22.rbegin(), samples.p22.rend(), positive).base();
   if (const auto zero = std::find(first, end, 0); zero != end)

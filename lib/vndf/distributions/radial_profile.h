@@ -14,9 +14,10 @@ struct RadialProfile {
 
 /// Fewest samples of a profile: a spline needs four.
 inline constexpr std::size_t kFewestProfileSamples = 4;
-/// The largest radius and the largest density lie within these limits, so that no integral of a
-/// profile overflows or loses digits. Other units keep them.
-inline constexpr double kLargestProfileNumber = 1e30, kSmallestProfileNumber = 1e-30;
+/// Radii other than 0 and the largest density lie within these limits, so that no integral of a
+/// profile overflows or loses digits. Other units keep them. diagnose() looks no farther either.
+inline constexpr double kSmallestRadius = 1e-30, kLargestRadius = 1e8;
+inline constexpr double kSmallestPeak = 1e-30, kLargestPeak = 1e30;
 /// Two radii that differ by less than this part count as the same: rounding alone would decide how
 /// steep the density is between them.
 inline constexpr double kSmallestRadiusStep = 1e-9;
