@@ -35,8 +35,9 @@ class Checker {
     check_frame();
     check_numbers();
     check_sampling();
-    check_curve(header().ndf);
-    check_curve(header().backfacing);
+    std::size_t entries = 0;
+    for (const kernel::VndfCurve& curve : {header().ndf, header().backfacing})
+      check_curve(curve, entries);
   }
 
   const KernelHeader& header() const {
@@ -70,13 +71,18 @@ class Checker {
                 samples_end + h.text_bytes == bytes_.size(),
             "the samples and texts are not the end of the block");
     require(h.text_bytes == 0 || bytes_.back() == std::byte{0}, "a text has no end");
+    const std::string_view texts(reinterpret_cast<const char*>(bytes_.data()) + h.text,
+                                 h.text_bytes);
+    require(!has_control_character(texts), "a text has a control character");
     for (std::size_t at = h.samples; at < samples_end; at += sizeof(double))
       require(std::isfinite(double_at(bytes_, at)), "a sample is not a finite number");
   }
 
   void check_numbers() const {
     const KernelHeader& h = header();
-    require(positive(h.unit), "the unit of slopes is not a finite number > 0");
+    // Then no product of it with a stretched direction overflows or vanishes (kVndfLongest), and
+    // the place of a direction is a number.
+    require(h.unit >= 0x1p-80f && h.unit <= 0x1p80f, "the unit of slopes is not a moderate number");
     require(h.scale_root >= 0 && h.scale_constant >= 0 && h.rim >= 0 &&
                 std::isfinite(h.scale_root + h.scale_constant + h.rim) &&
                 h.scale_root + h.scale_constant + h.rim > 0,
@@ -161,7 +167,9 @@ class Checker {
     return std::bit_cast<float>(std::bit_cast<std::uint32_t>(place) + bits);
   }
 
-  void check_curve(const kernel::VndfCurve& curve) const {
+  /// Counts the entries of the guides in `entries`. No two segments share one, so that they are not
+  /// more than the block holds, and none is looked at again and again.
+  void check_curve(const kernel::VndfCurve& curve, std::size_t& entries) const {
     require(curve.count >= 1 && curve.count <= 4096 && curve.segments % 16 == 0,
             "a curve has no segments");
     require_inside(curve.segments + std::size_t{curve.count} * sizeof(KernelSegment));
@@ -173,6 +181,8 @@ class Checker {
           s.begin >= end && s.end > s.begin && std::isfinite(s.end) && s.offset > 0 && s.offset < 1,
           "a segment of a curve has no length");
       end = s.end;
+      entries += s.count;
+      require(entries <= bytes_.size() / kGuideBytes, "segments of curves share their guides");
       const KernelAxis axis{s.guide + (s.first_key << 3), s.first_key, s.count, s.shift};
       require_keys(axis, key(s.offset, axis), key((s.end - s.begin) + s.offset, axis));
       require_inside(largest_offset(axis) + kCubicBytes);

@@ -2,15 +2,15 @@
 #include "vndf/kernel_tables.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <new>
-#include <random>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "vndf/replace_file.h"
 
 namespace vndf {
 namespace {
@@ -214,25 +214,12 @@ KernelTables KernelTables::with_differences(double x, double y) const {
 }
 
 void save(const std::filesystem::path& path, const KernelTables& tables) {
-  // Under another name in the same folder first, for a rename replaces a file at once or not at
-  // all.
-  std::random_device random;
-  const std::filesystem::path temporary = path.string() + "." + std::to_string(random()) + ".tmp";
-  const auto fail_with = [&](const std::string& why) {
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
-    throw error_in(
-        path, "cannot be written (" + why + "); give a name in a folder that can be written to");
-  };
-  std::ofstream file(temporary, std::ios::binary);
   const auto bytes = tables.bytes();
-  file.write(reinterpret_cast<const char*>(bytes.data()),
-             static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  if (!file) fail_with(std::strerror(errno));
-  std::error_code error;
-  std::filesystem::rename(temporary, path, error);
-  if (error) fail_with(error.message());
+  try {
+    replace_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  } catch (const ReplaceError& error) {
+    throw error_in(path, std::string(error.what()) + "; " + error.remedy);
+  }
 }
 
 bool is_kernel_file(const std::filesystem::path& path) {

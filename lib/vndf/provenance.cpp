@@ -27,7 +27,19 @@ std::optional<std::string> check_text(const std::string& name, const std::string
   if (text.size() > kMaxTextBytes)
     return "the text '" + name + "' is longer than " + std::to_string(kMaxTextBytes) + " bytes";
   if (text.find('\0') != std::string::npos) return "the text '" + name + "' has a zero byte";
+  if (has_control_character(text)) return "the text '" + name + "' has a control character";
   return {};
+}
+
+bool has_control_character(std::string_view text) {
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const auto byte = static_cast<unsigned char>(text[k]);
+    if ((byte < 0x20 && byte != 0 && byte != '\n') || byte == 0x7f) return true;
+    // In UTF-8 the controls of C1 are C2 80 to C2 9F.
+    const auto next = k + 1 < text.size() ? static_cast<unsigned char>(text[k + 1]) : 0;
+    if (byte == 0xc2 && next >= 0x80 && next < 0xa0) return true;
+  }
+  return false;
 }
 
 std::optional<std::string> check(const Provenance& p) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace vndf {
@@ -35,10 +36,16 @@ struct Provenance {
 };
 
 /// Returns the first rule that is broken, for a message, or nothing: as many radii as densities,
-/// kMaxSamples at most and all finite; texts of at most kMaxTextBytes without a zero byte.
+/// kMaxSamples at most and all finite; texts of at most kMaxTextBytes without a zero byte or a
+/// control character.
 std::optional<std::string> check(const Provenance& provenance);
 
 /// The same rule for one text, which the message calls `name`.
 std::optional<std::string> check_text(const std::string& name, const std::string& text);
+
+/// Whether a text in UTF-8 has a control character other than a zero byte and the end of a line:
+/// C0 with the tabulator, DEL or C1. Texts of files are printed, and these would drive the
+/// terminal.
+bool has_control_character(std::string_view text);
 
 }  // namespace vndf

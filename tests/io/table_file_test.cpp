@@ -245,6 +245,16 @@ TEST_CASE("a newer minor version is read and what it added is ignored") {
   }
 }
 
+TEST_CASE("texts that would drive a terminal are neither written nor read") {
+  for (const char* name : {"specification", "command", "program", "notes", "distribution"})
+    check_refused([=](StoredTables& s) { s.attributes[name] = "\x1b[2J"; },
+                  {std::string("'") + name + "' has a control character"});
+  const Folder folder;
+  TableFile file = small_file();
+  file.provenance.notes = "\x1b[2J";
+  check_says(message_of([&] { save(folder / "t.h5", file); }), {"'notes' has a control character"});
+}
+
 TEST_CASE("unknown coordinates are refused") {
   check_refused([](StoredTables& s) { s.attributes["coordinates"] = "polar"; },
                 {"its coordinates 'polar' are unknown", "bounded-slope-2"});

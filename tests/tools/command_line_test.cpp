@@ -371,6 +371,14 @@ TEST_CASE("the command in a file leaves out what does not change the file") {
   CHECK(info.at("command") == "vndf build ggx --size=16 --name 'a b' -o a.h5");
 }
 
+TEST_CASE("the command in a file has no control characters, whatever the names of files are") {
+  const Folder folder;
+  REQUIRE(folder.run("build ggx --size 16 -o \"$(printf '\\033')'.h5\" --quiet").status == 0);
+  fs::rename(folder / "\x1b'.h5", folder / "a.h5");
+  const auto info = nlohmann::json::parse(folder.run("info a.h5 --json").out);
+  CHECK(info.at("command") == R"(vndf build ggx --size 16 -o $'\x1b\x27.h5')");
+}
+
 namespace {
 
 void write_profile(const fs::path& path) {

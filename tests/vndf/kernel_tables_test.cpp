@@ -156,6 +156,51 @@ TEST_CASE("samples and texts outside of the rules are neither written nor read")
              contains("a text has no end"));
 }
 
+TEST_CASE("a unit with which the place of a direction is no number is refused") {
+  for (const float unit : {1e-40f, 1e-30f, 1e30f, 1e38f}) {
+    Block block(smallest().bytes());
+    block.header().unit = unit;
+    block.set_checksum();
+    CHECK_THAT(error_of(block.bytes()), contains("the unit of slopes is not a moderate number"));
+  }
+}
+
+TEST_CASE("segments of curves that share their guides are refused, for they could take hours") {
+  Block block(smallest().bytes());
+  kernel::VndfCurve& curve = block.header().ndf;
+  KernelSegment segment;
+  std::memcpy(&segment, block.data() + curve.segments, sizeof segment);
+  // All that follows the first guide, in each of six segments in place of the certificate.
+  constexpr std::size_t kPlace = 240, kSegments = 6;
+  static_assert(kPlace + kSegments * sizeof segment <= sizeof(KernelHeader));
+  const std::uint32_t guide = segment.guide + (segment.first_key << 3);
+  segment.count = static_cast<std::uint32_t>((block.header().samples - guide) / 8);
+  std::memset(block.data() + guide, 0, std::size_t{segment.count} * 8);
+  const float length = segment.end - segment.begin;
+  for (std::size_t k = 0; k < kSegments; ++k) {
+    segment.begin = static_cast<float>(k) * length;
+    segment.end = segment.begin + length;
+    std::memcpy(block.data() + kPlace + k * sizeof segment, &segment, sizeof segment);
+  }
+  curve = {kPlace, kSegments};
+  block.set_checksum();
+  CHECK_THAT(error_of(block.bytes()), contains("share their guides"));
+}
+
+TEST_CASE("a text that would drive a terminal is neither written nor read") {
+  for (const std::string text : {"\x1b[2J", "a\tb", "\x7f",
+                                 "\xc2\x9b"
+                                 "2J"}) {
+    CHECK(has_control_character(text));
+    CHECK_THROWS_AS(smallest().with_text({text}), KernelTablesError);
+    Block block(smallest().with_text({std::string(text.size(), 'x')}).bytes());
+    std::memcpy(block.data() + block.header().text, text.data(), text.size());
+    block.set_checksum();
+    CHECK_THAT(error_of(block.bytes()), contains("a text has a control character"));
+  }
+  CHECK_FALSE(has_control_character("two lines\nof \xce\xb1 and \xc2\xa0"));
+}
+
 TEST_CASE("a block that was cut anywhere is an error") {
   Block block(smallest().bytes());
   std::size_t taken = 0;

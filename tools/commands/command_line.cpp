@@ -1,12 +1,30 @@
 // The command line as text.
 #include "commands/command_line.h"
 
+#include <array>
+#include <cstdio>
 #include <string_view>
+
+#include "vndf/provenance.h"
 
 namespace vndf::tools {
 namespace {
 
+/// A word that no file may hold as it is, as bash and zsh read it: $'a\x1b'.
+std::string quoted_control(std::string_view text) {
+  std::string result = "$'";
+  for (const char c : text) {
+    std::array<char, 8> code{};
+    const bool plain = c >= ' ' && c <= '~' && c != '\'' && c != '\\';
+    std::snprintf(code.data(), code.size(), plain ? "%c" : "\\x%02x",
+                  static_cast<unsigned char>(c));
+    result += code.data();
+  }
+  return result + "'";
+}
+
 std::string quoted(std::string_view text) {
+  if (has_control_character(text)) return quoted_control(text);
   constexpr std::string_view kPlain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+.,:=@/";
   if (!text.empty() && text.find_first_not_of(kPlain) == std::string_view::npos)

@@ -2,14 +2,12 @@
 #include "vndf/io/atomic_file.h"
 
 #include <cerrno>
-#include <cstdio>
 #include <fstream>
-#include <random>
 #include <system_error>
-#include <utility>
 
 #include "vndf/io/format_error.h"
 #include "vndf/io/table_format.h"
+#include "vndf/replace_file.h"
 
 namespace vndf::io {
 namespace {
@@ -32,45 +30,6 @@ std::size_t checked_size(const fs::path& path) {
   return static_cast<std::size_t>(size);
 }
 
-/// A new file that vanishes with this object unless it was renamed.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(const fs::path& path)
-      : name_(temporary_name(path)), file_(std::fopen(name_.c_str(), "wbx")) {
-    if (file_ == nullptr)
-      throw FormatError("it cannot be created: " + last_error(),
-                        "choose a folder that can be written");
-  }
-  ~TemporaryFile() {
-    if (file_ != nullptr) std::fclose(file_);
-    std::error_code ignored;
-    if (!renamed_) fs::remove(name_, ignored);
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-
-  void write(std::string_view bytes) {
-    const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file_) == bytes.size();
-    const bool closed = std::fclose(std::exchange(file_, nullptr)) == 0;
-    if (!written || !closed)
-      throw FormatError("it cannot be written: " + last_error(),
-                        "make room or choose another folder");
-  }
-
-  void rename_to(const fs::path& path) {
-    std::error_code error;
-    fs::rename(name_, path, error);
-    if (error)
-      throw FormatError("it cannot be replaced: " + error.message(), "choose another name");
-    renamed_ = true;
-  }
-
- private:
-  fs::path name_;
-  std::FILE* file_;
-  bool renamed_ = false;
-};
-
 }  // namespace
 
 void require_file(const fs::path& path) {
@@ -90,19 +49,12 @@ std::string read_file(const fs::path& path) {
   return bytes;
 }
 
-fs::path temporary_name(const fs::path& path) {
-  std::random_device random;
-  fs::path name = path;
-  name += ".";
-  name += std::to_string(random());
-  name += ".tmp";
-  return name;
-}
-
 void replace_file(const fs::path& path, std::string_view bytes) {
-  TemporaryFile file(path);
-  file.write(bytes);
-  file.rename_to(path);
+  try {
+    vndf::replace_file(path, bytes);
+  } catch (const ReplaceError& error) {
+    throw FormatError(error.what(), error.remedy);
+  }
 }
 
 }  // namespace vndf::io

@@ -15,13 +15,7 @@ void require_file(const std::filesystem::path& path);
 /// large for a table file (kMaxFileBytes) or cannot be read.
 std::string read_file(const std::filesystem::path& path);
 
-/// Returns a path that no other writer uses. It lies in the same folder as `path`, because a rename
-/// cannot cross from one disk to another.
-std::filesystem::path temporary_name(const std::filesystem::path& path);
-
-/// Writes `bytes` under a temporary name in the same folder and then renames the file. Throws
-/// FormatError on any failure. Then nothing is left behind, and a file that was at `path` before is
-/// unchanged.
+/// As vndf::replace_file(), but throws FormatError.
 void replace_file(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace vndf::io

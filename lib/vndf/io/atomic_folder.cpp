@@ -7,6 +7,7 @@
 
 #include "vndf/io/atomic_file.h"
 #include "vndf/io/format_error.h"
+#include "vndf/replace_file.h"
 
 namespace vndf::io {
 namespace {
@@ -100,6 +101,7 @@ void AtomicFolder::put_in_place() {
   }
   if (error)
     throw error_about(target_, "it cannot be replaced: " + error.message(), "name another folder");
+  sync_folder(target_.parent_path());
   scratch_.clear();
   if (replaces) remove_listed(earlier);
 }
