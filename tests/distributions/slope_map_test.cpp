@@ -1,16 +1,8 @@
-// Slope maps drawn from known distributions, maps that are no slope distribution, and maps in EXR
-// files.
+// Slope maps drawn from known distributions, and maps that are no slope distribution.
 #include "vndf/distributions/slope_map.h"
-
-#include <ImfChannelList.h>
-#include <ImfFrameBuffer.h>
-#include <ImfHeader.h>
-#include <ImfOutputFile.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 #include <numbers>
 #include <random>
@@ -20,7 +12,6 @@
 
 #include "support/catch.h"
 #include "support/visible_difference.h"
-#include "vndf/io/map_image.h"
 
 using namespace vndf;
 using namespace vndf::distributions;
@@ -116,32 +107,6 @@ Slopes two_lobes() {
   return slopes;
 }
 
-// EXR files.
-
-struct TemporaryFile {
-  std::filesystem::path path = std::filesystem::temp_directory_path() / "vndf-slope-map-test.exr";
-  ~TemporaryFile() { std::filesystem::remove(path); }
-};
-
-/// Writes rows of `width` texels, each with a value for every channel; the window starts at (3,
-/// -2).
-void write_map(const std::filesystem::path& path, const std::vector<std::string>& channels,
-               int width, const std::vector<float>& values) {
-  const int height = static_cast<int>(values.size() / channels.size()) / width;
-  const Imath::Box2i window({3, -2}, {2 + width, height - 3});
-  Imf::Header header(window, window);
-  Imf::FrameBuffer frame;
-  const std::size_t texel = sizeof(float) * channels.size();
-  for (std::size_t c = 0; c < channels.size(); ++c) {
-    header.channels().insert(channels[c], Imf::Channel(Imf::FLOAT));
-    frame.insert(channels[c], Imf::Slice::Make(Imf::FLOAT, values.data() + c, window, texel,
-                                               texel * static_cast<std::size_t>(width)));
-  }
-  Imf::OutputFile file(path.c_str(), header, 0);
-  file.setFrameBuffer(frame);
-  file.writePixels(height);
-}
-
 }  // namespace
 
 TEST_CASE("a map of Student-T slopes gives its stretch and its visible CDFs back") {
@@ -206,74 +171,4 @@ TEST_CASE("maps without a slope distribution are refused") {
   refused(slopes, "too many of them are equal");
   // r^-2.8: no mean slope.
   refused(radial_slopes([](double v) { return std::pow(v, -1 / 0.8); }, 100000), "above 3");
-}
-
-TEST_CASE("normal maps in both encodings and slope maps are read alike") {
-  const std::vector<float> normals{0.6f, 0, 0.8f, 0, -0.6f, 0.8f, 0, 0, 1, -0.48f, 0.36f, 0.8f};
-  const std::vector<Vec2<double>> slopes{{-0.75, 0}, {0, 0.75}, {0, 0}, {0.6, -0.45}};
-  std::vector<float> shifted, stored;
-  for (const float v : normals) shifted.push_back((v + 1) / 2);
-  for (const auto& s : slopes) stored.insert(stored.end(), {float(s.x), float(s.y)});
-  const TemporaryFile file;
-  const auto check = [&](const std::vector<std::string>& channels, const std::vector<float>& v) {
-    write_map(file.path, channels, 2, v);
-    const io::SlopeImage image = io::read_slope_map(file.path);
-    REQUIRE(image.width == 2);
-    REQUIRE(image.height == 2);
-    for (std::size_t i = 0; i < slopes.size(); ++i) {
-      CHECK(image.slopes[i].x == Approx(slopes[i].x).margin(1e-6));
-      CHECK(image.slopes[i].y == Approx(slopes[i].y).margin(1e-6));
-    }
-  };
-  check({"R", "G", "B"}, normals);
-  check({"X", "Y", "Z"}, normals);
-  check({"R", "G", "B"}, shifted);
-  check({"slope_x", "slope_y"}, stored);
-  check({"x", "y"}, stored);
-}
-
-TEST_CASE("a folder is no map") {
-  CHECK_THROWS_WITH(io::read_slope_map("."), contains(".: it is not a file"));
-}
-
-TEST_CASE("maps that cannot be read are refused with the file and the reason") {
-  const TemporaryFile file;
-  const auto refused = [&](const std::string& why) {
-    CHECK_THROWS_WITH(io::read_slope_map(file.path),
-                      contains("vndf-slope-map-test.exr") && contains(why));
-    CHECK_THROWS_AS(io::read_slope_map(file.path), io::MapImageError);
-  };
-  refused("no such file");
-  std::ofstream(file.path) << "not an image";
-  refused("slope_x, slope_y");
-  write_map(file.path, {"Y"}, 1, {1});
-  refused("its channels are Y; give an EXR file with the channels R, G, B");
-  write_map(file.path, {"R", "G", "B"}, 2, {0, 0, 1, 0.6f, 0, -0.8f});
-  refused("column 1 of row 0 holds a normal with z = -0.8");
-  write_map(file.path, {"R", "G", "B"}, 1, {0, 0, 1, -2, 0, 1});
-  refused("column 0 of row 1 holds a normal of length 2.2");
-  write_map(file.path, {"x", "y"}, 1, {std::numeric_limits<float>::infinity(), 0});
-  refused("not finite");
-  write_map(file.path, {"x", "y"}, 16385, std::vector<float>(2 * 16385));
-  refused("16385 x 1 texels");
-}
-
-TEST_CASE("a damaged map is refused or read, and never more") {
-  const TemporaryFile file;
-  write_map(file.path, {"R", "G", "B"}, 2, {0, 0, 1, 0.6f, 0, 0.8f, 0, -0.6f, 0.8f, 0, 0, 1});
-  std::ifstream stream(file.path, std::ios::binary);
-  const std::string whole{std::istreambuf_iterator<char>(stream), {}};
-  const auto try_bytes = [&](const std::string& bytes) {
-    std::ofstream(file.path, std::ios::binary) << bytes;
-    try {
-      io::read_slope_map(file.path);
-    } catch (const io::MapImageError&) {
-    }
-  };
-  for (std::size_t i = 0; i < whole.size(); ++i) {
-    CHECK_NOTHROW(try_bytes(whole.substr(0, i)));
-    std::string changed = whole;
-    changed[i] = static_cast<char>(changed[i] ^ 0xff);
-    CHECK_NOTHROW(try_bytes(changed));
-  }
 }

@@ -437,6 +437,19 @@ TEST_CASE("tables of a map are validated anywhere, without its file") {
   }
 }
 
+TEST_CASE("what a map holds is reported, and an encoding of what has none is refused") {
+  const Folder folder;
+  write_map(folder / "m.exr");
+  const std::string build = "build --normal-map m.exr -o a.h5 --size 16";
+  CHECK_THAT(folder.run(build).out, contains("image: EXR, slopes, 128 x 128 texels"));
+  CHECK_THAT(folder.run("info a.h5").out, contains("image: EXR, slopes, 128 x 128 texels"));
+  check_one_line_failure(folder.run(build + " --encoding plain"),
+                         "it holds slopes, which have no encoding");
+  std::ofstream(folder / "m.png") << "not a picture";
+  check_one_line_failure(folder.run("build --normal-map m.png -o b.h5"),
+                         "m.png: it is none of the images that are read; give an EXR, PNG or TIFF");
+}
+
 TEST_CASE("a profile with the marks and line ends of other systems is the same profile") {
   const Folder folder;
   std::string plain = "r,p22\n", marked = "\xEF\xBB\xBFr,p22\r\n";
@@ -537,6 +550,8 @@ TEST_CASE("options that do not go together are wrong usage") {
   check_failure(folder.run("build ggx --frozen-at 0.3 -o a.h5"), 2, "--frozen-at");
   check_failure(folder.run("build ggx --tail power -o a.h5"), 2, "--tail: goes with --profile");
   check_failure(folder.run("build ggx --smooth -o a.h5"), 2, "--smooth: goes with --profile");
+  check_failure(folder.run("build ggx --encoding plain -o a.h5"), 2,
+                "--encoding: goes with --normal-map");
   check_failure(folder.run("build --profile p.csv --ignore-asymmetry -o a.h5"), 2,
                 "--ignore-asymmetry: goes with --normal-map");
   check_failure(folder.run("build ggx --json --quiet -o a.h5"), 2, "--quiet");

@@ -99,19 +99,25 @@ DistributionSource from_profile(const SourceArguments& a) {
   return {distributions::specify_profile(profile), notes + describe(profile.tail())};
 }
 
+io::NormalEncoding encoding_of(const std::string& name) {
+  if (name == "plain") return io::NormalEncoding::plain;
+  return name == "shifted" ? io::NormalEncoding::shifted : io::NormalEncoding::automatic;
+}
+
 DistributionSource from_map(const SourceArguments& a) {
-  const auto image = io::read_slope_map(a.map);
+  const auto image = io::read_slope_map(a.map, encoding_of(a.encoding.value_or("automatic")));
   const auto estimate = distributions::estimate_slope_map(
       image.slopes, {.name = name_of(a, a.map), .ignore_asymmetry = a.ignore_asymmetry});
   const auto& s = estimate.statistics;
-  return {
-      distributions::specify_profile(*estimate.distribution),
-      fmt::format("map: mean slope ({:.6g}, {:.6g}), alpha {:.6g} x {:.6g}, correlation {:.4g}\n",
+  return {distributions::specify_profile(*estimate.distribution),
+          fmt::format("image: {}, {} x {} texels\n", image.content, image.width, image.height) +
+              fmt::format(
+                  "map: mean slope ({:.6g}, {:.6g}), alpha {:.6g} x {:.6g}, correlation {:.4g}\n",
                   s.mean_x, s.mean_y, s.alpha_x, s.alpha_y, s.correlation) +
-          fmt::format("estimated from {} texels: u-error below {:.2e} (95 %), ", s.texels,
-                      s.u_error) +
-          fmt::format("asymmetry {:.3f} (bound {:.3f})\n", s.asymmetry, s.asymmetry_bound) +
-          describe(estimate.distribution->tail())};
+              fmt::format("estimated from {} texels: u-error below {:.2e} (95 %), ", s.texels,
+                          s.u_error) +
+              fmt::format("asymmetry {:.3f} (bound {:.3f})\n", s.asymmetry, s.asymmetry_bound) +
+              describe(estimate.distribution->tail())};
 }
 
 void require_one_source(const SourceArguments& a) {
@@ -135,6 +141,7 @@ void require_effect(const SourceArguments& a) {
   require(a.frozen_at.has_value(), !a.ndf.empty(), "--frozen-at", "--ndf");
   require(a.tail.has_value(), !a.profile.empty(), "--tail", "--profile");
   require(a.smooth, !a.profile.empty(), "--smooth", "--profile");
+  require(a.encoding.has_value(), !a.map.empty(), "--encoding", "--normal-map");
   require(a.ignore_asymmetry, !a.map.empty(), "--ignore-asymmetry", "--normal-map");
 }
 
@@ -163,7 +170,15 @@ void add_source_options(CLI::App& command, SourceArguments& a) {
       ->group(group);
   command.add_flag("--smooth", a.smooth, "Take the noise out of a profile, and report how much")
       ->group(group);
-  command.add_option("--normal-map", a.map, "EXR file of normals or slopes")->group(group);
+  command
+      .add_option("--normal-map", a.map, "EXR, PNG or TIFF file of normals, or EXR file of slopes")
+      ->group(group);
+  command
+      .add_option("--encoding", a.encoding,
+                  "How a map stores normals n as values v: plain (n = v), shifted (n = 2 v - 1) or "
+                  "automatic (the default: plain if any v is negative)")
+      ->check(CLI::IsMember({"automatic", "plain", "shifted"}))
+      ->group(group);
   command
       .add_flag("--ignore-asymmetry", a.ignore_asymmetry,
                 "Accept a map whose slopes are not radially symmetric")

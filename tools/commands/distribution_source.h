@@ -20,8 +20,9 @@ struct SourceArguments {
   std::optional<double> frozen_at;
   std::optional<std::string> tail;  // of a profile; none if it is not given
   std::string name;
-  bool smooth = false;            // a profile
-  bool ignore_asymmetry = false;  // of a map
+  bool smooth = false;                  // a profile
+  std::optional<std::string> encoding;  // of a map; automatic if it is not given
+  bool ignore_asymmetry = false;        // of a map
 };
 
 struct DistributionSource {

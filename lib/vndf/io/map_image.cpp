@@ -1,174 +1,137 @@
-// Normal maps and slope maps in EXR files, read as slopes.
+// Recognises the format of a map, and makes slopes of its pixels.
 #include "vndf/io/map_image.h"
-
-#include <ImfChannelList.h>
-#include <ImfFrameBuffer.h>
-#include <ImfHeader.h>
-#include <ImfInputPart.h>
-#include <ImfMultiPartInputFile.h>
-#include <ImfPartType.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
-#include <exception>
-#include <string>
+#include <fstream>
+#include <string_view>
 
 #include "vndf/io/atomic_file.h"
 #include "vndf/io/format_error.h"
+#include "vndf/io/map_pixels.h"
 
 namespace vndf::io {
 namespace {
 
-constexpr int kNoThreads = 0;
-// Pixels are read and kept in blocks of rows, so a short file that claims to be large is found out
-// before much memory is taken.
-constexpr int kRowsPerBlock = 64;
+using namespace std::string_view_literals;
+
 constexpr double kShortestNormal = 0.5, kLongestNormal = 1.5;
-constexpr char kAccepted[] =
-    "give an EXR file with the channels R, G, B or X, Y, Z (a normal map), or slope_x, slope_y or "
-    "x, y (a slope map)";
 
-using ChannelNames = std::vector<std::string>;
-
-const std::array<ChannelNames, 4> kKnownChannels{
-    {{"R", "G", "B"}, {"X", "Y", "Z"}, {"slope_x", "slope_y"}, {"x", "y"}}};
-
-/// The pixels of some channels, one after the other for each texel.
-struct Pixels {
-  std::size_t width, height, channels;
-  std::vector<float> values;
-
-  double at(std::size_t texel, std::size_t channel) const {
-    return static_cast<double>(values[texel * channels + channel]);
-  }
+/// A format and the bytes with which its files begin.
+struct Format {
+  std::string_view beginning;
+  MapPixels (*read)(const std::filesystem::path& path);
 };
 
-[[noreturn]] void refuse_texel(const Pixels& pixels, std::size_t texel, const std::string& rule,
+constexpr std::array<Format, 4> kFormats{{{"\x76\x2f\x31\x01"sv, read_exr_map},
+                                          {"\x89PNG\r\n\x1a\n"sv, read_png_map},
+                                          {"II*\0"sv, read_tiff_map},
+                                          {"MM\0*"sv, read_tiff_map}}};
+
+MapPixels read_pixels(const std::filesystem::path& path) {
+  require_file(path);
+  std::array<char, 8> head{};
+  std::ifstream(path, std::ios::binary).read(head.data(), head.size());
+  const std::string_view beginning(head.data(), head.size());
+  for (const Format& format : kFormats)
+    if (beginning.starts_with(format.beginning)) return format.read(path);
+  throw FormatError("it is none of the images that are read", "give an EXR, PNG or TIFF file");
+}
+
+[[noreturn]] void refuse_texel(const MapPixels& pixels, std::size_t texel, const std::string& rule,
                                const std::string& remedy) {
   throw FormatError("the texel in column " + std::to_string(texel % pixels.width) + " of row " +
                         std::to_string(texel / pixels.width) + " " + rule,
                     remedy);
 }
 
-// Finding and reading the pixels.
-
-/// Those of the known names that the part has at full resolution; none if it has no such set.
-ChannelNames known_channels(const Imf::Header& header) {
-  const bool flat =
-      !header.hasType() || header.type() == Imf::SCANLINEIMAGE || header.type() == Imf::TILEDIMAGE;
-  const auto has = [&](const std::string& name) {
-    const Imf::Channel* channel = header.channels().findChannel(name);
-    return channel != nullptr && channel->xSampling == 1 && channel->ySampling == 1;
-  };
-  for (const ChannelNames& names : kKnownChannels)
-    if (flat && std::all_of(names.begin(), names.end(), has)) return names;
-  return {};
-}
-
-std::string listed_channels(const Imf::MultiPartInputFile& file) {
-  constexpr std::size_t kLongestList = 200;
-  std::string list;
-  for (int part = 0; part < file.parts() && list.size() < kLongestList; ++part) {
-    const Imf::ChannelList& channels = file.header(part).channels();
-    for (auto c = channels.begin(); c != channels.end() && list.size() < kLongestList; ++c)
-      list += std::string(list.empty() ? "" : ", ") + c.name();
+bool is_shifted(const MapPixels& pixels, NormalEncoding encoding) {
+  if (pixels.kind == MapPixels::Kind::slopes) {
+    if (encoding != NormalEncoding::automatic)
+      throw FormatError("it holds slopes, which have no encoding", "leave the encoding out");
+    return false;
   }
-  return list;
-}
-
-void check_size(const Imath::Box2i& window) {
-  const auto side = [](int low, int high) { return std::int64_t{high} - low + 1; };
-  const std::int64_t width = side(window.min.x, window.max.x);
-  const std::int64_t height = side(window.min.y, window.max.y);
-  constexpr auto kMost = static_cast<std::int64_t>(kMaxMapSide);
-  if (width < 1 || height < 1 || width > kMost || height > kMost)
-    throw FormatError(
-        "it has " + std::to_string(width) + " x " + std::to_string(height) + " texels",
-        "give a map of at most " + std::to_string(kMost) + " x " + std::to_string(kMost) +
-            " texels");
-}
-
-/// Reads the rows from `first` to `last`, both included, to the end of `pixels`.
-void read_rows(Imf::InputPart& part, const ChannelNames& names, int first, int last,
-               Pixels& pixels) {
-  const std::size_t old = pixels.values.size();
-  const Imath::V2i origin(part.header().dataWindow().min.x, first);
-  const int rows = last - first + 1;
-  pixels.values.resize(old + pixels.width * static_cast<std::size_t>(rows) * names.size());
-  Imf::FrameBuffer frame;
-  const std::size_t texel = sizeof(float) * names.size();
-  for (std::size_t c = 0; c < names.size(); ++c)
-    frame.insert(names[c], Imf::Slice::Make(Imf::FLOAT, pixels.values.data() + old + c, origin,
-                                            static_cast<std::int64_t>(pixels.width), rows, texel,
-                                            texel * pixels.width));
-  part.setFrameBuffer(frame);
-  part.readPixels(first, last);
-}
-
-Pixels read_part(Imf::MultiPartInputFile& file, int index, const ChannelNames& names) {
-  Imf::InputPart part(file, index);
-  const Imath::Box2i window = part.header().dataWindow();
-  check_size(window);
-  if (!file.partComplete(index)) throw FormatError("it ends too early", "copy it again");
-  Pixels pixels{static_cast<std::size_t>(window.max.x - window.min.x) + 1,
-                static_cast<std::size_t>(window.max.y - window.min.y) + 1,
-                names.size(),
-                {}};
-  for (int row = window.min.y; row <= window.max.y; row += kRowsPerBlock)
-    read_rows(part, names, row, std::min(row + kRowsPerBlock - 1, window.max.y), pixels);
-  return pixels;
-}
-
-Pixels read_pixels(const std::filesystem::path& path) {
-  require_file(path);
-  Imf::MultiPartInputFile file(path.c_str(), kNoThreads, false);
-  for (int part = 0; part < file.parts(); ++part)
-    if (const auto names = known_channels(file.header(part)); !names.empty())
-      return read_part(file, part, names);
-  throw FormatError("its channels are " + listed_channels(file), kAccepted);
-}
-
-// Making slopes of them.
-
-bool is_shifted(const Pixels& pixels, NormalEncoding encoding) {
+  if (pixels.whole_numbers) {
+    if (encoding == NormalEncoding::plain)
+      throw FormatError("it is a " + pixels.format + ", whose numbers cannot be negative",
+                        "leave the encoding out, or take shifted");
+    return true;
+  }
   if (encoding != NormalEncoding::automatic) return encoding == NormalEncoding::shifted;
-  return std::none_of(pixels.values.begin(), pixels.values.end(), [](float v) { return v < 0; });
+  return std::ranges::none_of(pixels.values, [](float v) { return v < 0; });
 }
 
-Vec2<double> slope_of_normal(const Pixels& pixels, std::size_t texel, bool shifted) {
-  const auto component = [&](std::size_t channel) {
-    const double v = pixels.at(texel, channel);
-    return shifted ? 2 * v - 1 : v;
-  };
-  const Vec3<double> n{component(0), component(1), component(2)};
-  const double length = std::sqrt(dot(n, n));
-  if (!(length >= kShortestNormal && length <= kLongestNormal))
-    refuse_texel(pixels, texel, "holds a normal of length " + std::to_string(length),
-                 "normals need unit length; check that the encoding, [-1, 1] or [0, 1], is right");
-  if (!(n.z > 0))
-    refuse_texel(pixels, texel, "holds a normal with z = " + std::to_string(n.z),
-                 "normals of a height field have z > 0; check that the encoding is right");
-  return slope_of(n);
-}
+/// Slopes of the texels of one file.
+class Slopes {
+ public:
+  Slopes(const MapPixels& pixels, NormalEncoding encoding)
+      : pixels_(pixels), shifted_(is_shifted(pixels, encoding)) {}
 
-Vec2<double> slope_as_stored(const Pixels& pixels, std::size_t texel) {
-  const Vec2<double> slope{pixels.at(texel, 0), pixels.at(texel, 1)};
-  if (!std::isfinite(slope.x) || !std::isfinite(slope.y))
-    refuse_texel(pixels, texel, "holds a slope that is not finite", "mend the map");
-  return slope;
-}
+  std::string content() const {
+    if (pixels_.kind == MapPixels::Kind::slopes) return pixels_.format + ", slopes";
+    return pixels_.format + (shifted_ ? ", normals n = 2 v - 1" : ", normals n = v");
+  }
 
-SlopeImage slopes_from(const Pixels& pixels, NormalEncoding encoding) {
-  SlopeImage image{pixels.width, pixels.height, {}};
+  Vec2<double> at(std::size_t texel) const {
+    switch (pixels_.kind) {
+      case MapPixels::Kind::slopes:
+        return stored_slope(texel);
+      case MapPixels::Kind::normals:
+        return slope_of_normal(texel,
+                               {component(texel, 0), component(texel, 1), component(texel, 2)});
+      default:
+        return slope_of_normal(texel, with_z(texel, component(texel, 0), component(texel, 1)));
+    }
+  }
+
+ private:
+  double value(std::size_t texel, std::size_t channel) const {
+    return static_cast<double>(pixels_.values[texel * pixels_.channels() + channel]);
+  }
+
+  double component(std::size_t texel, std::size_t channel) const {
+    const double v = value(texel, channel);
+    return shifted_ ? 2 * v - 1 : v;
+  }
+
+  Vec2<double> stored_slope(std::size_t texel) const {
+    const Vec2<double> slope{value(texel, 0), value(texel, 1)};
+    if (!std::isfinite(slope.x) || !std::isfinite(slope.y))
+      refuse_texel(pixels_, texel, "holds a slope that is not finite", "mend the map");
+    return slope;
+  }
+
+  Vec3<double> with_z(std::size_t texel, double x, double y) const {
+    const double square = 1 - x * x - y * y;
+    if (!(square > 0))
+      refuse_texel(pixels_, texel, "holds x and y of length " + std::to_string(std::hypot(x, y)),
+                   "a unit normal has less; check that the encoding is right");
+    return {x, y, std::sqrt(square)};
+  }
+
+  Vec2<double> slope_of_normal(std::size_t texel, const Vec3<double>& n) const {
+    const double length = std::sqrt(dot(n, n));
+    if (!(length >= kShortestNormal && length <= kLongestNormal))
+      refuse_texel(pixels_, texel, "holds a normal of length " + std::to_string(length),
+                   "normals need unit length; check that the encoding, [-1, 1] or [0, 1], is "
+                   "right");
+    if (!(n.z > 0))
+      refuse_texel(pixels_, texel, "holds a normal with z = " + std::to_string(n.z),
+                   "normals of a height field have z > 0; check that the encoding is right");
+    return slope_of(n);
+  }
+
+  const MapPixels& pixels_;
+  bool shifted_;
+};
+
+SlopeImage slopes_from(const MapPixels& pixels, NormalEncoding encoding) {
+  const Slopes slopes(pixels, encoding);
+  SlopeImage image{pixels.width, pixels.height, slopes.content(), {}};
   const std::size_t count = pixels.width * pixels.height;
   image.slopes.reserve(count);
-  const bool normals = pixels.channels == 3;
-  const bool shifted = normals && is_shifted(pixels, encoding);
-  for (std::size_t texel = 0; texel < count; ++texel)
-    image.slopes.push_back(normals ? slope_of_normal(pixels, texel, shifted)
-                                   : slope_as_stored(pixels, texel));
+  for (std::size_t texel = 0; texel < count; ++texel) image.slopes.push_back(slopes.at(texel));
   return image;
 }
 
@@ -178,9 +141,6 @@ SlopeImage read_slope_map(const std::filesystem::path& path, NormalEncoding enco
   return slopes_from(read_pixels(path), encoding);
 } catch (const FormatError& error) {
   throw MapImageError(path.string() + ": " + error.what());
-} catch (const std::exception& error) {
-  throw MapImageError(path.string() + ": OpenEXR cannot read it: " + error.what() + "; " +
-                      kAccepted);
 }
 
 }  // namespace vndf::io

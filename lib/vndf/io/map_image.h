@@ -1,17 +1,19 @@
-// Normal maps and slope maps in EXR files. Both are read as slopes, which is what a distribution is
-// estimated from.
+// Normal maps and slope maps in files of images: EXR, PNG and TIFF. All are read as slopes, which
+// is what a distribution is estimated from.
 #pragma once
 
 #include <cstddef>
 #include <filesystem>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "vndf/vec.h"
 
 namespace vndf::io {
 
-/// How the components n of normals are stored as values v.
+/// How the components n of normals are stored as values v. Whole numbers of 8 or 16 bits are shares
+/// of the largest, v = number / 255 or number / 65535, and always shifted.
 enum class NormalEncoding {
   automatic,  ///< plain if any value is negative, and shifted otherwise
   plain,      ///< n = v, with v in [-1, 1]
@@ -21,6 +23,8 @@ enum class NormalEncoding {
 /// The slopes of a map, row by row from the top.
 struct SlopeImage {
   std::size_t width, height;
+  /// What the file holds, for people: "8-bit PNG, normals n = 2 v - 1".
+  std::string content;
   std::vector<Vec2<double>> slopes;
 };
 
@@ -31,14 +35,11 @@ class MapImageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Largest width and height of a map, checked before any pixel is read.
-inline constexpr std::size_t kMaxMapSide = 16384;
-
-/// Reads an EXR file of scan lines or tiles. The names of its channels tell what it holds. R, G, B
-/// or X, Y, Z are a map of normals n, whose slopes are (-n.x / n.z, -n.y / n.z). slope_x, slope_y
-/// or x, y are slopes. Other channels are ignored. Throws MapImageError where the file cannot be
-/// read, and, naming column and row, for a normal with n.z <= 0 or a length outside [0.5, 1.5] and
-/// for a value that is not finite.
+/// Reads a file of one of the formats of map_pixels.h, which its first bytes tell. The slopes of
+/// normals n are (-n.x / n.z, -n.y / n.z), and n.z is that of a unit vector where a map has only
+/// n.x and n.y. Throws MapImageError where the file cannot be read, and where the encoding is
+/// `plain` of whole numbers or any but automatic of slopes. Throws it, naming column and row, for a
+/// normal with n.z <= 0 or a length outside [0.5, 1.5] and for a value that is not finite.
 SlopeImage read_slope_map(const std::filesystem::path& path,
                           NormalEncoding encoding = NormalEncoding::automatic);
 
