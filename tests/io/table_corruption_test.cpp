@@ -1,13 +1,13 @@
 // Damaged table files, and whole ones with wrong content. Whatever happens to the bytes of a file,
 // loading it either throws TableFileError or returns exactly what was saved.
 #include <array>
-#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <functional>
 #include <limits>
 #include <random>
 
+#include "io/small_table_file.h"
 #include "support/catch.h"
 #include "vndf/io/checksum_trailer.h"
 #include "vndf/io/crc64.h"
@@ -23,40 +23,11 @@ namespace {
 
 using namespace vndf;
 using namespace vndf::io;
+using namespace vndf::test;
 namespace fs = std::filesystem;
 
-constexpr std::size_t kRows = 16, kColumns = 24, kNodes = 12;
+constexpr std::size_t kRows = kSmallRows, kColumns = kSmallColumns, kNodes = kSmallNodes;
 constexpr int kCorruptions = 10000;  // in each format
-
-std::vector<float> rows() {
-  std::vector<float> values;
-  for (std::size_t i = 0; i < kRows; ++i)
-    for (std::size_t j = 0; j < kColumns; ++j)
-      values.push_back(std::pow(static_cast<float>(j) / (kColumns - 1), 1 + 0.1f * float(i)));
-  return values;
-}
-
-LogCurve<double> curve() {
-  LogCurveSegment<double> segment{0, 4, Grading::low, {}};
-  for (std::size_t i = 0; i < kNodes; ++i)
-    segment.nodes.push_back({-std::sqrt(static_cast<double>(i)), -0.1 * static_cast<double>(i)});
-  return {{segment}, true};
-}
-
-TableFile good_file() {
-  const std::vector<RowKnot> knots{{0, 0}, {0.5, 0.25}, {1, 1}};
-  return {share({.distribution = "test",
-                 .mean_slope = 1.5,
-                 .marginal = {kRows, kColumns, rows()},
-                 .conditional = {kRows, kColumns, rows()},
-                 .marginal_rows = knots,
-                 .conditional_rows = {},
-                 .marginal_map = {{0, 0.5}, {0.25, 0.5}, {1, 0.75}},
-                 .log_ndf = curve(),
-                 .log_backfacing = curve()}),
-          {{"profile", {0, 0.5, 1, 2}, {1, 0.75, 0.5, 0}}, "command", "program"},
-          {}};
-}
 
 struct FormatCase {
   std::string name;
@@ -140,7 +111,7 @@ std::uint64_t seed() {
 /// Checks that changed content is refused with these words after a round trip through each format.
 void check_refused(const std::function<void(StoredTables&)>& change,
                    const std::vector<std::string>& parts, std::size_t formats = kFormats.size()) {
-  StoredTables stored = to_stored(good_file());
+  StoredTables stored = to_stored(small_table_file());
   change(stored);
   for (std::size_t f = 0; f < formats; ++f) {
     std::string message = "no error";
@@ -163,13 +134,13 @@ std::function<void(StoredTables&)> replace(const std::string& name, const Array&
 /// Puts wrong values into the marginal table as a program would that takes them for right.
 std::function<void(StoredTables&)> marginal_with(std::size_t index, float value) {
   return [=](StoredTables& stored) {
-    std::vector<float> values = rows();
+    std::vector<float> values = small_rows();
     values[index] = value;
-    SlopeTables tables = *good_file().tables;
+    SlopeTables tables = *small_table_file().tables;
     tables.marginal = {kRows, kColumns, values};
     stored.arrays["marginal"].values = values;
     stored.attributes["content_checksum"] =
-        hex_digits(content_checksum(tables, good_file().provenance.specification));
+        hex_digits(content_checksum(tables, small_table_file().provenance.specification));
   };
 }
 
@@ -177,7 +148,7 @@ std::function<void(StoredTables&)> marginal_with(std::size_t index, float value)
 
 TEST_CASE("a corrupted file is refused or returns exactly what was saved") {
   const ScratchFile file;
-  const StoredTables written = to_stored(good_file());
+  const StoredTables written = to_stored(small_table_file());
   Random random(seed());
   for (const FormatCase& format : kFormats) {
     const std::string good = with_trailer(format.write(written));
@@ -198,7 +169,7 @@ TEST_CASE("a corrupted file is refused or returns exactly what was saved") {
 
 TEST_CASE("a file cut short anywhere is refused") {
   const ScratchFile file;
-  const StoredTables written = to_stored(good_file());
+  const StoredTables written = to_stored(small_table_file());
   for (const FormatCase& format : kFormats) {
     const std::string good = with_trailer(format.write(written));
     for (std::size_t length = 0; length < good.size(); ++length) {
@@ -211,7 +182,7 @@ TEST_CASE("a file cut short anywhere is refused") {
 
 TEST_CASE("a file with a byte changed, added or lost is refused") {
   const ScratchFile file;
-  const StoredTables written = to_stored(good_file());
+  const StoredTables written = to_stored(small_table_file());
   const auto check = [&](const std::string& bytes, const std::string& part) {
     file.put(bytes);
     const std::string message = outcome(file.path, written);
@@ -233,15 +204,15 @@ TEST_CASE("the content checksum depends on the tables and their specification al
   const auto checksum = [](const SlopeTables& tables, const Provenance& provenance) {
     return content_checksum(tables, provenance.specification);
   };
-  const TableFile good = good_file();
+  const TableFile good = small_table_file();
   const auto differs = [&](const std::function<void(SlopeTables&)>& change) {
     SlopeTables tables = *good.tables;
     change(tables);
     return checksum(tables, good.provenance) != checksum(*good.tables, good.provenance);
   };
   CHECK(differs([](SlopeTables& t) { t.mean_slope = 0.5; }));
-  CHECK(differs([](SlopeTables& t) { t.marginal = {kColumns, kRows, rows()}; }));
-  CHECK(differs([](SlopeTables& t) { t.conditional = {kRows / 2, kColumns * 2, rows()}; }));
+  CHECK(differs([](SlopeTables& t) { t.marginal = {kColumns, kRows, small_rows()}; }));
+  CHECK(differs([](SlopeTables& t) { t.conditional = {kRows / 2, kColumns * 2, small_rows()}; }));
   CHECK(differs([](SlopeTables& t) { t.support = 9; }));
   CHECK(differs([](SlopeTables& t) { t.conditional_constant = 4; }));
   CHECK(differs([](SlopeTables& t) { t.conditional_quadratic = 0; }));
@@ -277,7 +248,7 @@ TEST_CASE("tables that do not match their checksum are refused") {
   damaged(replace("log_ndf", {{kNodes, 2}, std::vector<double>(2 * kNodes)}));
   damaged(replace("marginal_rows", {{2, 2}, std::vector<double>{0, 0, 1, 1}}));
   damaged(replace("log_ndf_segments", {{1, 4}, std::vector<double>{0, 5, 1, double{kNodes}}}));
-  damaged(replace("marginal", {{kColumns, kRows}, rows()}));
+  damaged(replace("marginal", {{kColumns, kRows}, small_rows()}));
   damaged([](StoredTables& s) { s.attributes["specification"] = "ggx"; });
   damaged(replace("profile_samples", {{3, 2}, std::vector<double>{0, 1, 0.5, 0.75, 1, 0}}));
   damaged([](StoredTables& s) { s.arrays.erase("profile_samples"); });
@@ -294,7 +265,7 @@ TEST_CASE("values that break a rule are refused even where the checksum is right
 TEST_CASE("samples that break a rule are refused even where the checksum is right") {
   const auto refused = [](double r, double p22, const std::vector<std::string>& parts) {
     const auto change = [=](StoredTables& s) {
-      TableFile file = good_file();
+      TableFile file = small_table_file();
       Specification& specification = file.provenance.specification;
       specification.r[1] = r;
       specification.p22[1] = p22;
@@ -316,7 +287,7 @@ TEST_CASE("samples that break a rule are refused even where the checksum is righ
 }
 
 TEST_CASE("any attribute missing or of another type is refused") {
-  for (const auto& item : to_stored(good_file()).attributes) {
+  for (const auto& item : to_stored(small_table_file()).attributes) {
     const std::string& name = item.first;
     const bool is_text = std::holds_alternative<std::string>(item.second);
     const Attribute other = is_text ? Attribute(1.0) : Attribute("text");

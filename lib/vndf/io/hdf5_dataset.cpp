@@ -131,8 +131,8 @@ Array hdf5_array(UntrustedFile& file, const Hdf5Object& dataset) {
     return {*shape, NotUsed{}};
   const Layout layout = layout_of(dataset, {(*shape)[0], (*shape)[1]}, hdf5_value_bytes(datatype));
   Collector collector(file, layout);
-  for_each_leaf(file, Hdf5Tree::chunks, layout.tree, kKeyBytes,
-                [&](std::string_view key, std::uint64_t address) { collector.add(key, address); });
+  const auto add = [&](std::string_view key, std::uint64_t place) { collector.add(key, place); };
+  if (layout.tree != kNoAddress) for_each_leaf(file, Hdf5Tree::chunks, layout.tree, kKeyBytes, add);
   const std::string bytes = collector.take();
   if (type == Hdf5Type::float32) return {*shape, values_of<float>(bytes)};
   return {*shape, values_of<double>(bytes)};

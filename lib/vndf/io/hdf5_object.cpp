@@ -8,7 +8,6 @@ namespace vndf::io {
 namespace {
 
 constexpr std::size_t kSuperblockBytes = 96, kPrefixBytes = 16;
-constexpr std::uint64_t kNoAddress = ~std::uint64_t{0};
 constexpr std::uint8_t kShared = 2;  // flag of a message
 
 FormatError not_oldest(const std::string& part) {

@@ -34,6 +34,9 @@ struct Hdf5Message {
   std::string_view body;
 };
 
+/// Stands for the address of what is not there.
+inline constexpr std::uint64_t kNoAddress = ~std::uint64_t{0};
+
 using Hdf5Object = std::vector<Hdf5Message>;
 
 /// The address of the root group. Throws FormatError unless the superblock is of version 0, its

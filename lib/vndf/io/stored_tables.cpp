@@ -12,6 +12,7 @@
 #include "vndf/io/format_error.h"
 #include "vndf/io/stored_names.h"
 #include "vndf/io/table_format.h"
+#include "vndf/support/text.h"
 
 namespace vndf::io {
 namespace {
@@ -161,8 +162,8 @@ const Values& values_of(const Array& array, const std::string& name) {
 void check_coordinates(const StoredTables& stored) {
   const auto& name = attribute<std::string>(stored, "coordinates");
   if (name != kCoordinates)
-    throw FormatError("its coordinates '" + name + "' are unknown to this program, which knows '" +
-                          kCoordinates + "'",
+    throw FormatError("its coordinates " + support::quoted(name) +
+                          " are unknown to this program, which knows '" + kCoordinates + "'",
                       "use the program that wrote it, or make the file again");
 }
 
@@ -379,6 +380,10 @@ StoredTables to_stored(const TableFile& file) {
   if (!file.provenance.specification.r.empty())
     result.arrays[kSamples] = stored(file.provenance.specification);
   return result;
+}
+
+std::string stored_checksum(const StoredTables& stored) {
+  return hex_digits(content_checksum(tables_of(stored), specification_of(stored)));
 }
 
 TableFile from_stored(const StoredTables& stored) {

@@ -49,6 +49,10 @@ void check_identity(const StoredTables& stored);
 /// format.
 StoredTables to_stored(const TableFile& file);
 
+/// The value that the attribute `content_checksum` of these tables must have. Throws FormatError
+/// where attributes and arrays do not make tables.
+std::string stored_checksum(const StoredTables& stored);
+
 /// Throws FormatError with the first rule that is broken: the file's type, version, name of
 /// coordinates, attributes and arrays with their types and shapes, content checksum, check().
 TableFile from_stored(const StoredTables& stored);
