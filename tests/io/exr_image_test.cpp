@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "support/catch.h"
-#include "vndf/io/exr_memory_stream.h"
+#include "support/exr_memory_input.h"
 #include "vndf/io/format_error.h"
 
 using namespace vndf::io;

@@ -18,6 +18,7 @@
 
 #include "io/small_table_file.h"
 #include "support/catch.h"
+#include "support/exr_memory_input.h"
 #include "support/memory_limit.h"
 #include "vndf/io/exr_memory_stream.h"
 #include "vndf/io/exr_reader.h"
@@ -38,7 +39,7 @@ const StoredTables& honest() {
 
 std::string message_of(const std::string& bytes) {
   std::string message = "another";
-  within_limits([&] {
+  within_limits(kMostRefusalBytes, [&] {
     try {
       if (to_stored(from_stored(read_exr(bytes))) == honest()) message = "the same";
     } catch (const FormatError& error) {

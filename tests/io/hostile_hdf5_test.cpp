@@ -66,7 +66,7 @@ std::string changed(const std::function<void(hid_t)>& change) {
 /// What the reader says to the bytes, within the limits of time and memory.
 std::string message_of(const std::string& bytes) {
   std::string message = "another";
-  within_limits([&] {
+  within_limits(kMostRefusalBytes, [&] {
     try {
       if (to_stored(from_stored(read_hdf5(bytes))) == honest()) message = "the same";
     } catch (const FormatError& error) {

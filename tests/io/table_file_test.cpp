@@ -13,6 +13,7 @@
 #include <random>
 
 #include "support/catch.h"
+#include "support/memory_limit.h"
 #include "vndf/io/atomic_file.h"
 #include "vndf/io/checksum_trailer.h"
 #include "vndf/io/crc64.h"
@@ -21,11 +22,13 @@
 #include "vndf/io/hdf5_reader.h"
 #include "vndf/io/hdf5_writer.h"
 #include "vndf/io/stored_tables.h"
+#include "vndf/io/untrusted_file.h"
 
 namespace {
 
 using namespace vndf;
 using namespace vndf::io;
+using namespace vndf::test;
 namespace fs = std::filesystem;
 
 const std::vector<std::string> kExtensions{".h5", ".exr"};
@@ -258,6 +261,43 @@ TEST_CASE("texts that would drive a terminal are neither written nor read") {
 TEST_CASE("unknown coordinates are refused") {
   check_refused([](StoredTables& s) { s.attributes["coordinates"] = "polar"; },
                 {"its coordinates 'polar' are unknown", "bounded-slope-2"});
+}
+
+namespace {
+
+/// Tables of `side` rows and columns that deflate to very little: all is 0 but the last column.
+TableFile uniform_file(std::size_t side) {
+  std::vector<float> values;
+  for (std::size_t i = 0; i < side; ++i)
+    for (std::size_t j = 0; j < side; ++j)
+      values.push_back(j + 1 < side ? 0.0f : 1.0f);
+  SlopeTables tables = small_tables();
+  tables.marginal = {side, side, values};
+  tables.conditional = {side, side, values};
+  return small_file(std::move(tables));
+}
+
+}  // namespace
+
+TEST_CASE("the largest tables of a small file take at most 8 times the bytes of its arrays") {
+  const Folder folder;
+  constexpr std::size_t kSide = 1440;  // the square of it twice is just below 16 MiB of float32
+  for (const std::string& extension : kExtensions) {
+    const fs::path path = folder / ("t" + extension);
+    save(path, uniform_file(kSide));
+    std::size_t rows = 0;
+    within_limits(8 * most_array_bytes(fs::file_size(path)),
+                  [&] { rows = load(path).tables->marginal.rows(); });
+    CHECK(rows == kSide);
+  }
+}
+
+TEST_CASE("tables that a file of its size may not hold are not written") {
+  const Folder folder;
+  for (const std::string& extension : kExtensions)
+    check_says(message_of([&] { save(folder / ("t" + extension), uniform_file(2000)); }),
+               {"larger than a file of its size may hold", "make smaller tables"});
+  CHECK(folder.entries() == 0);
 }
 
 namespace {

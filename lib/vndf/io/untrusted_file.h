@@ -14,7 +14,7 @@ namespace vndf::io {
 /// rows hold 4 times the size of their files. The multiple leaves room for tables whose rows are
 /// all the same, which deflate by up to 1000, beside one of another size; the constant is for files
 /// that are small themselves. In all, a reader and from_stored() take at most 8 times this, which
-/// tests/io/hostile_files_test.cpp measures.
+/// tests/io/table_file_test.cpp measures.
 constexpr std::uint64_t most_array_bytes(std::uint64_t file_bytes) {
   return (std::uint64_t{16} << 20) + 16 * file_bytes;
 }
