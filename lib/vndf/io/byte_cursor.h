@@ -51,7 +51,7 @@ class ByteCursor {
 
   /// The text up to the next zero byte, and that byte. Throws FormatError if there is none.
   std::string_view text() {
-    const std::string_view taken = take(std::min(rest_.find('\0'), rest_.size()));
+    const std::string_view taken = take(rest_.find('\0'));
     take(1);
     return taken;
   }
