@@ -228,7 +228,9 @@ TEST_CASE("samples whose integrals would overflow are refused before any work") 
   refused({{0, 1e-170, 1, 2}, {1, 1, 1, 1}}, "sample 2 (r = 1e-170, p22 = 1)");
   refused({{0, 1, 2, 3}, {1e-40, 1e-40, 1e-40, 1e-40}}, "below 1e-30 at every sample");
   refused({{0, 1, 1.0000000000000002, 5}, {1, 2, 1, 1}}, "differs from the one before");
-  refused({{0, 1, 2, 201}, {1, 1, 0.1, 1e-4}}, "more than 100 times that of the sample before");
+  const RadialProfile far{{0, 1e-6, 1e-3, 1e8}, {1, 1, 1e-9, 1e-60}};
+  CHECK_THROWS_WITH(MeasuredProfile("far", far, ProfileTail::none),
+                    contains("its last sample lies at r = 1e+08, and the mean slope is"));
 }
 
 TEST_CASE("tails that leave nothing within the samples or beyond them are refused") {

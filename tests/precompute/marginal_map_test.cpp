@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "support/catch.h"
+#include "vndf/distributions/families.h"
 #include "vndf/distributions/parse_distribution.h"
 #include "vndf/table_coordinates.h"
 
@@ -58,4 +59,11 @@ TEST_CASE("the map of a compact distribution ends at its largest slope") {
   const auto nodes = marginal_map(slopes, 64);
   CHECK(nodes.back().value == Approx(bounded_from_slope(slopes.support()).sigma).epsilon(1e-14));
   for (std::size_t k = 1; k < nodes.size(); ++k) CHECK(nodes[k].value > nodes[k - 1].value);
+}
+
+TEST_CASE("the map of a ring too thin for its panels does not turn back") {
+  const Annulus ring(1 - 1e-11);
+  const UnitSlopes slopes(ring, {});
+  const auto nodes = marginal_map(slopes);
+  for (std::size_t k = 1; k < nodes.size(); ++k) REQUIRE(nodes[k].value >= nodes[k - 1].value);
 }

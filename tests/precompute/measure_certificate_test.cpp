@@ -12,6 +12,7 @@
 #include "support/tolerances.h"
 #include "vndf/distributions/families.h"
 #include "vndf/distributions/parse_distribution.h"
+#include "vndf/precompute/build_tables.h"
 
 using namespace vndf;
 using namespace vndf::distributions;
@@ -135,4 +136,13 @@ TEST_CASE("the list of figures names each one once") {
   CHECK(names.size() == 25);
   std::sort(names.begin(), names.end());
   CHECK(std::adjacent_find(names.begin(), names.end()) == names.end());
+}
+
+TEST_CASE("a ring thinner than single precision is measured where it has slopes") {
+  // The last rows lie so near to the rim that their slopes are rounded to beyond it.
+  const Annulus ring(1 - 1e-8);
+  const Certificate certificate =
+      build_tables(ring, {.layout = {.rows = 64, .columns = 64}}).certificate;
+  CHECK(std::isfinite(certificate.conditional.max_u_error));
+  CHECK(certificate.conditional.max_u_error > 1e-3);
 }

@@ -518,7 +518,8 @@ TEST_CASE("a profile that no table could hold is refused before any work") {
   refused("0,1\n1,1e308\n2,1e308\n3,1e-308\n4,1e-320\n", "use other units");
   refused("0,1e-300\n1,1e300\n1.0000000000000002,1e-300\n5,1e-300\n", "use other units");
   refused("0,1\n1,10\n1.0000000000000002,1\n5,0.1\n", "differs from the one before by less");
-  refused("0,2\n1e-6,6\n0.7,0.4\n7e7,1e-230\n", "more than 100 times that of the sample before");
+  refused("0,2\n1e-6,6\n0.07,0.4\n7e7,1e-230\n",
+          "end the profile where nothing of the mass is left");
 }
 
 TEST_CASE("a long profile is resampled, a noisy one smoothed on request, and both are reported") {

@@ -240,6 +240,11 @@ void MeasuredProfile::integrate() {
   mass_ = 2 * all.q;
   mean_slope_ = 2 * all.m / mass_;
   tail_.fraction_of_mass_beyond = beyond_samples.q / all.q;
+  if (knots_.back().r > kFarthestSample * mean_slope_)
+    fail("its last sample lies at r = " + support::rounded_text(knots_.back().r) +
+         ", and the mean slope is " + support::rounded_text(mean_slope_) +
+         "; end the profile where nothing of the mass is left, at " +
+         support::rounded_text(kFarthestSample) + " mean slopes at most");
 }
 
 std::optional<Marginals> MeasuredProfile::marginals(double x) const {

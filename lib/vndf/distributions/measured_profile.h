@@ -34,6 +34,10 @@ struct TailFit {
 /// The smallest exponent of a power tail, not itself valid: r^-3 has an infinite mean slope.
 inline constexpr double kSmallestTailExponent = 3;
 
+/// Farthest sample in mean slopes. Beyond, a build places rows over decades without mass for
+/// minutes.
+inline constexpr double kFarthestSample = 1e8;
+
 /// The density passes through every sample, or is fitted to more than kMostProfileSamples of them
 /// (fit_profile.h). Between two samples of positive density, log p22 is a
 /// cubic in ProfileCoordinate. The cubics form a spline (C2). Where it would leave the range of the
@@ -46,7 +50,8 @@ class MeasuredProfile final : public SlopeDistribution {
   /// and go with ProfileTail::none. The tail starts at the last sample. Its parameter is fitted by
   /// least squares to the last sixteenth of the samples, at least 4 of them, unless `parameter`
   /// gives it. Throws std::invalid_argument for samples that break the rules, and std::domain_error
-  /// for a tail that does not fit or is without a finite mean slope.
+  /// for a tail that does not fit or is without a finite mean slope, and for samples that reach
+  /// beyond kFarthestSample.
   MeasuredProfile(std::string name, RadialProfile samples, ProfileTail tail,
                   std::optional<double> parameter = {});
 

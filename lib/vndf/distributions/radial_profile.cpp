@@ -47,16 +47,6 @@ double half_density_radius(const RadialProfile& samples) {
   return samples.r[i] > 0 ? samples.r[i] : samples.r[i + 1];
 }
 
-void check_gaps(const RadialProfile& samples) {
-  const double core = half_density_radius(samples);
-  for (std::size_t i = 1; i < samples.r.size(); ++i)
-    if (samples.r[i] > kLargestRadiusRatio * std::max(core, samples.r[i - 1]))
-      fail(sample_text(samples, i) + ": the radius is more than " +
-           support::number_text(kLargestRadiusRatio) +
-           " times that of the sample before; give samples between them, or end the profile before "
-           "the gap");
-}
-
 }  // namespace
 
 RadialProfile checked_profile(RadialProfile samples) {
@@ -81,7 +71,6 @@ RadialProfile checked_profile(RadialProfile samples) {
   };
   cut(samples.r);
   cut(samples.p22);
-  check_gaps(samples);
   return samples;
 }
 

@@ -22,10 +22,6 @@ inline constexpr double kSmallestPeak = 1e-30, kLargestPeak = 1e30;
 /// steep the density is between them.
 inline constexpr double kSmallestRadiusStep = 1e-9;
 
-/// From the radius of half the largest density on, a radius is at most this many times that of the
-/// sample before it. Nothing is known of a wider gap, and a curve across it would be a guess.
-inline constexpr double kLargestRadiusRatio = 100;
-
 /// Returns the samples without superfluous zeros at both ends, after it has checked them: as many
 /// radii as densities, four at least; radii >= 0 that increase by more than kSmallestRadiusStep;
 /// densities >= 0, some of them positive, and no zero between positive ones; all within the limits

@@ -103,7 +103,10 @@ TableErrors measure_rows(std::size_t count, const support::Workers& workers,
 
 bool measures_conditional(const UnitSlopes& slopes, double x, float sigma) {
   if (sigma == 0.5f && std::isinf(slopes.p22(0))) return false;
-  return slopes.m(std::asinh(x)) > kSmallestTail && ConditionalDistribution::reachable(slopes, x);
+  // Single precision may round a slope next to the largest one to beyond it.
+  const double rounded = bounded_from_sigma<double>(sigma).slope();
+  return slopes.m(std::asinh(x)) > kSmallestTail &&
+         ConditionalDistribution::reachable(slopes, std::max(x, rounded));
 }
 
 }  // namespace vndf::precompute
