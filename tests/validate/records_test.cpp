@@ -84,9 +84,39 @@ TEST_CASE("unusable records are refused with line and rule") {
   check_refused(kHeader + "0,0,1,1,1,0.5,0.5,0,0,x\n", "'x' is not a finite number");
   check_refused(kHeader + "0,0,2,1,1,0.5,0.5,0,0,1\n", "wx,wy,wz must have length 1");
   check_refused(kHeader + "0,0,-1,1,1,0.5,0.5,0,0,1\n", "wz must not be negative");
-  check_refused(kHeader + "0,0,1,0,1,0.5,0.5,0,0,1\n", "ax and ay must be > 0");
+  check_refused(kHeader + "0,0,1,0,1,0.5,0.5,0,0,1\n", "ax and ay must be from 1e-9 to 1e9");
+  check_refused(kHeader + "0,0,1,1,2e9,0.5,0.5,0,0,1\n", "ax and ay must be from 1e-9 to 1e9");
   check_refused(kHeader + "0,0,1,1,1,0.5,1.5,0,0,1\n", "u1 and u2 must be in [0, 1]");
   check_refused(kHeader + "0,0,1,1,1,0.5,0.5,0,0,0.9\n", "mx,my,mz must have length 1");
+}
+
+TEST_CASE("of more records than are kept, each is kept with the same probability") {
+  std::string text = kHeader;
+  for (int k = 0; k < 20000; ++k)
+    text += "0,0,1,1,1," + std::to_string((k + 0.5) / 20000) + ",0.5,0,0,1\n";
+  std::istringstream stream(text), again(text), all(text);
+  const Records some = read_records(stream, "r", 1000);
+  CHECK(some.read == 20000);
+  REQUIRE(some.list.size() == 1000);
+  double sum = 0;
+  for (const Record& r : some.list) sum += r.u1;
+  // The mean of 1000 uniform numbers: five of its standard deviations sqrt(1 / 12000).
+  CHECK(sum / 1000 == Approx(0.5).margin(5 * std::sqrt(1.0 / 12000)));
+  CHECK(read_records(again, "r", 1000).list[17].u1 == some.list[17].u1);
+  CHECK(read_records(all, "r", 20000).list.back().u1 == Approx(0.999975));
+}
+
+TEST_CASE("records that were left out are told") {
+  Records records = draw(CapsGgx<float>{}, {.count = 1000});
+  const auto told = [&] {
+    const Verdict v = validate_records(records, *exact_slopes("ggx"), {});
+    return std::any_of(v.skipped.begin(), v.skipped.end(), [](const SkippedCheck& s) {
+      return s.reason.find("1500 of the 2500 records are in no check") == 0;
+    });
+  };
+  CHECK_FALSE(told());
+  records.read = 2500;
+  CHECK(told());
 }
 
 TEST_CASE("records of an exact sampler that is no monotone map are accepted, its map not checked") {

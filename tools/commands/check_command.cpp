@@ -49,14 +49,17 @@ std::unique_ptr<ExactSlopes> against(const std::string& argument) {
   return std::make_unique<ExactSlopes>(distributions::make_distribution({argument}));
 }
 
-/// Whether the records are accepted, or else the first failure with its place.
+/// Whether the records are accepted, or else the worst failure with its place, and the others.
 std::string conclusion(const validate::Verdict& verdict) {
-  const validate::CheckResult* failure = verdict.first_failure();
-  if (failure == nullptr) return "accepted\n";
-  std::string text = fmt::format("rejected: {}, {}", failure->check, failure->statistic);
-  if (!std::isnan(failure->where.theta))
-    text += fmt::format(" at theta {:.6g} degrees, alpha {:.4g} x {:.4g}", failure->where.theta,
-                        failure->where.alpha_x, failure->where.alpha_y);
+  const auto failures = verdict.failures();
+  if (failures.empty()) return "accepted\n";
+  const validate::CheckResult& worst = failures.front();
+  std::string text = fmt::format("rejected: {}, {}", worst.check, worst.statistic);
+  if (!std::isnan(worst.where.theta))
+    text += fmt::format(" at theta {:.6g} degrees, alpha {:.4g} x {:.4g}", worst.where.theta,
+                        worst.where.alpha_x, worst.where.alpha_y);
+  for (std::size_t k = 1; k < failures.size(); ++k)
+    text += fmt::format("; {}, {}", failures[k].check, failures[k].statistic);
   return text + "\n";
 }
 

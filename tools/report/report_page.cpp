@@ -93,11 +93,18 @@ std::string row(const CheckResult& r) {
       escaped(remark(r)));
 }
 
+std::string row(const validate::SkippedCheck& s) {
+  return fmt::format(
+      "<tr><td></td><td>{}</td><td>{}</td><td></td><td></td><td>not run: {}</td></tr>\n",
+      escaped(s.check), escaped(s.statistic), escaped(s.reason));
+}
+
 std::string results(const validate::Verdict& verdict) {
   std::string text =
       "<table><tr class=\"heads\"><th></th><th>check</th><th>statistic</th><th class=\"number\">"
       "measured</th><th class=\"number\">bound</th><th>where it is worst</th></tr>\n";
   for (const CheckResult& r : verdict.results) text += row(r);
+  for (const auto& skipped : verdict.skipped) text += row(skipped);
   return text + "</table>\n";
 }
 
@@ -118,11 +125,7 @@ std::string section_text(const ReportSection& s, std::size_t number) {
   const auto& v = s.verdict;
   std::string text = fmt::format("<h2 id=\"s{}\">{}: {}</h2>\n<p>Slopes: <code>{}</code>", number,
                                  escaped(s.sampler), mark(v.passed()), escaped(s.distribution));
-  if (v.samples > 0)
-    text += fmt::format(
-        ". {} samples were counted; those of one configuration show errors of {:.1e} in u and of "
-        "{:.1e} in the mass of a bin",
-        v.samples, v.visible_u_error, v.visible_bin_error);
+  for (const auto& resolution : v.resolutions) text += ". " + resolution_text(resolution);
   text += ".</p>\n" + results(v);
   for (const Picture& p : s.pictures) text += figure(s, p);
   return text;

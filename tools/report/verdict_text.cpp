@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <vector>
+
+#include "vndf/support/text.h"
 
 namespace vndf::tools {
 namespace {
@@ -11,6 +14,8 @@ namespace {
 using validate::CheckResult;
 using validate::Kind;
 using validate::Place;
+using validate::Resolution;
+using validate::SkippedCheck;
 using validate::Verdict;
 
 /// "theta 60, alpha 2 x 1, u1 0.5, u2 0.25", with what applies.
@@ -28,6 +33,40 @@ std::string row(const CheckResult& f) {
   return fmt::format("  {:<4}  {:<14}{:<31}{:>10.3g}  {:>4} {:<10.3g} {}\n",
                      f.passed() ? "pass" : "FAIL", f.check, f.statistic, f.measured, sign, f.bound,
                      remark(f));
+}
+
+/// Rows of what was not run. Statistics that are missing for the same reason share one.
+std::string skipped_rows(const std::vector<SkippedCheck>& skipped) {
+  std::string text;
+  for (std::size_t first = 0, end = 0; first < skipped.size(); first = end) {
+    const SkippedCheck& s = skipped[first];
+    std::vector<std::string> statistics;
+    for (; end < skipped.size() && skipped[end].check == s.check && skipped[end].reason == s.reason;
+         ++end)
+      statistics.push_back(skipped[end].statistic.empty() ? "all" : skipped[end].statistic);
+    text += fmt::format("  {:<4}  {:<14}{:<31} not run: {}\n", "-", s.check,
+                        support::listed(statistics), s.reason);
+  }
+  return text;
+}
+
+nlohmann::ordered_json to_json(const Resolution& r) {
+  return {{"counted", r.counted},
+          {"samples", r.samples},
+          {"u_error", r.u_error},
+          {"bin_error", r.bin_error}};
+}
+
+nlohmann::ordered_json to_json(const SkippedCheck& s) {
+  nlohmann::ordered_json json{{"check", s.check}};
+  if (!s.statistic.empty()) json["statistic"] = s.statistic;
+  json["reason"] = s.reason;
+  if (s.where.empty()) return json;
+  auto places = nlohmann::ordered_json::array();
+  for (const Place& p : s.where)
+    places.push_back({{"theta", p.theta}, {"alpha_x", p.alpha_x}, {"alpha_y", p.alpha_y}});
+  json["configurations"] = places;
+  return json;
 }
 
 nlohmann::ordered_json to_json(const CheckResult& f) {
@@ -61,23 +100,25 @@ std::string remark(const CheckResult& f) {
 std::string describe(const Verdict& verdict) {
   std::string text = fmt::format("{}: {}\n", verdict.sampler, verdict.passed() ? "pass" : "FAIL");
   for (const CheckResult& f : verdict.results) text += row(f);
-  if (verdict.samples > 0)
-    text += fmt::format(
-        "  {} samples counted; those of one configuration show errors of {:.1e} in u and of "
-        "{:.1e} in the mass of a bin\n",
-        verdict.samples, verdict.visible_u_error, verdict.visible_bin_error);
+  text += skipped_rows(verdict.skipped);
+  for (const Resolution& r : verdict.resolutions) text += fmt::format("  {}\n", resolution_text(r));
   return text;
 }
 
+std::string resolution_text(const Resolution& r) {
+  return fmt::format(
+      "{} samples of {} were counted, which show errors of {:.1e} in u and of {:.1e} in the mass "
+      "of a bin",
+      r.samples, r.counted, r.u_error, r.bin_error);
+}
+
 nlohmann::ordered_json to_json(const Verdict& verdict) {
-  auto results = nlohmann::ordered_json::array();
+  auto results = nlohmann::ordered_json::array(), skipped = results, resolutions = results;
   for (const CheckResult& f : verdict.results) results.push_back(to_json(f));
-  return {{"sampler", verdict.sampler},
-          {"passed", verdict.passed()},
-          {"samples", verdict.samples},
-          {"visible_u_error", verdict.visible_u_error},
-          {"visible_bin_error", verdict.visible_bin_error},
-          {"results", results}};
+  for (const SkippedCheck& s : verdict.skipped) skipped.push_back(to_json(s));
+  for (const Resolution& r : verdict.resolutions) resolutions.push_back(to_json(r));
+  return {{"sampler", verdict.sampler}, {"passed", verdict.passed()}, {"samples", verdict.samples},
+          {"resolutions", resolutions}, {"results", results},         {"not_run", skipped}};
 }
 
 }  // namespace vndf::tools

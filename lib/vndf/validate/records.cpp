@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <random>
 #include <stdexcept>
 #include <string_view>
 
@@ -47,6 +48,10 @@ bool is_probability(double u) {
   return u >= 0 && u <= 1;
 }
 
+bool is_roughness(double alpha) {
+  return alpha >= kSmallestRoughness && alpha <= kLargestRoughness;
+}
+
 Record read_record(const support::CsvReader& csv, const Header& header) {
   const auto& fields = csv.fields();
   const std::size_t columns = header.columns().size();
@@ -75,7 +80,8 @@ Record read_record(const support::CsvReader& csv, const Header& header) {
   };
   require(has_length_one(r.configuration.wi), "wx,wy,wz must have length 1");
   require(r.configuration.wi.z >= 0, "wz must not be negative");
-  require(r.configuration.alpha.x > 0 && r.configuration.alpha.y > 0, "ax and ay must be > 0");
+  require(is_roughness(r.configuration.alpha.x) && is_roughness(r.configuration.alpha.y),
+          "ax and ay must be from 1e-9 to 1e9");
   require(!header.u || (is_probability(r.u1) && is_probability(r.u2)),
           "u1 and u2 must be in [0, 1]");
   require(has_length_one(r.wm), "mx,my,mz must have length 1");
@@ -84,11 +90,21 @@ Record read_record(const support::CsvReader& csv, const Header& header) {
 
 }  // namespace
 
-Records read_records(std::istream& stream, const std::string& name) {
+Records read_records(std::istream& stream, const std::string& name, std::size_t most) {
   support::CsvReader csv(stream, name);
   const Header header = read_header(csv);
   Records records{{}, header.u, header.pdf};
-  while (csv.next_line()) records.list.push_back(read_record(csv, header));
+  std::mt19937_64 random;
+  while (csv.next_line()) {
+    const Record record = read_record(csv, header);
+    ++records.read;
+    if (records.list.size() < most) {
+      records.list.push_back(record);
+      continue;
+    }
+    const std::size_t place = random() % records.read;
+    if (place < most) records.list[place] = record;
+  }
   return records;
 }
 

@@ -2,7 +2,9 @@
 #include "vndf/validate/validate.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <limits>
 
 #include "vndf/validate/checks/cross_check.h"
 #include "vndf/validate/checks/density_check.h"
@@ -33,7 +35,37 @@ Effort effort(const ValidationOptions& o) {
   }
 }
 
-using Check = std::function<std::vector<CheckResult>()>;
+/// A check, or why the sampler is not given it.
+struct Check {
+  std::string name;
+  std::function<std::vector<CheckResult>()> make;
+  std::string reason = {};
+};
+
+constexpr const char* kNoInverse = "the sampler does not claim to be the inverse of the CDFs";
+
+/// The statistics that the checks leave out because of what `sampler` is.
+std::vector<SkippedCheck> skipped_statistics(const SamplerUnderTest& sampler) {
+  const Claims& claims = sampler.claims;
+  std::vector<SkippedCheck> skipped;
+  if (claims.normals == SampledNormals::all)
+    skipped.push_back({"hard cases", "facing away / (1 + alpha mu)",
+                       "samplers of all normals may return normals that face away"});
+  if (claims.normals == SampledNormals::visible_v_cavity)
+    skipped.push_back({"density", "G1", "V-cavities have another G1 than Smith's surface"});
+  if (!claims.monotone_inverse)
+    skipped.push_back({"density", "pdf times |Jacobian| - 1", kNoInverse});
+  else if (!tells_density(sampler))
+    skipped.push_back({"density", "pdf times |Jacobian| - 1",
+                       "the map is known in single precision only, which has no derivative"});
+  return skipped;
+}
+
+/// What the counts of one configuration can show.
+Resolution resolution_of(std::uint64_t samples, double p) {
+  const auto count = static_cast<double>(samples);
+  return {"one configuration", samples, visible_u_error(count, p), visible_bin_error(count, kBins)};
+}
 
 }  // namespace
 
@@ -47,41 +79,68 @@ const CheckResult* Verdict::first_failure() const {
   return f == results.end() ? nullptr : &*f;
 }
 
+std::vector<CheckResult> Verdict::failures() const {
+  std::vector<CheckResult> failed;
+  for (const CheckResult& result : results)
+    if (!result.passed()) failed.push_back(result);
+  const auto farther = [](const CheckResult& a, const CheckResult& b) {
+    const auto excess = [](const CheckResult& f) {
+      if (std::isnan(f.measured)) return std::numeric_limits<double>::infinity();
+      return f.kind == Kind::error ? f.measured / f.bound : f.bound / f.measured;
+    };
+    return excess(a) < excess(b);
+  };
+  const auto other = std::find_if(failed.begin(), failed.end(), [&](const CheckResult& f) {
+    return f.check != failed.front().check;
+  });
+  if (failed.empty()) return failed;
+  std::iter_swap(failed.begin(), std::max_element(failed.begin(), other, farther));
+  return failed;
+}
+
 Verdict validate_sampler(const SamplerUnderTest& sampler, const ValidationOptions& options) {
   const Effort effort = validate::effort(options);
   const double significance = sidak(kRunSignificance, options.samplers);
   Verdict verdict{.sampler = sampler.name, .results = {}};
 
-  std::vector<Check> checks{[&] { return check_hard_cases(sampler); }};
-  if (sampler.claims.monotone_inverse)
-    checks.push_back([&] { return check_u_error(sampler, effort.map); });
-  checks.push_back([&] { return check_density(sampler, options.workers); });
-  checks.push_back([&] { return check_furnace(sampler, options.workers); });
-  if (sampler.claims.smooth)
-    checks.push_back(
-        [&] { return check_quasi_random(sampler, effort.quasi_random_points, options.workers); });
-  if (sampler.claims.monotone_inverse)
-    checks.push_back(
-        [&] { return cross_check(sampler, effort.cross_check_points, options.workers); });
-  checks.push_back([&] {
-    auto results =
-        check_distribution(sampler, {.samples = effort.samples,
-                                     .seed = options.seed,
-                                     .significance = significance,
-                                     .stop_at_first_failure = options.stop_at_first_failure,
-                                     .workers = options.workers});
-    verdict.samples = effort.samples * check_configurations().size();
-    const double count = static_cast<double>(effort.samples);
-    verdict.visible_u_error = visible_u_error(count, results.front().bound);
-    verdict.visible_bin_error = visible_bin_error(count, kBins);
-    return results;
-  });
+  const auto only_if = [](bool claimed, const char* why) { return claimed ? "" : why; };
+  const bool inverse = sampler.claims.monotone_inverse;
+  const std::vector<Check> checks{
+      {"hard cases", [&] { return check_hard_cases(sampler); }},
+      {"inverse", [&] { return check_u_error(sampler, effort.map); }, only_if(inverse, kNoInverse)},
+      {"density", [&] { return check_density(sampler, options.workers); }},
+      {"furnace", [&] { return check_furnace(sampler, options.workers); }},
+      {"quasi-random",
+       [&] { return check_quasi_random(sampler, effort.quasi_random_points, options.workers); },
+       only_if(sampler.claims.smooth, "the sampler does not claim to be smooth in u1 and u2")},
+      {"cross-check",
+       [&] { return cross_check(sampler, effort.cross_check_points, options.workers); },
+       only_if(inverse, kNoInverse)},
+      {"distribution", [&] {
+         auto results =
+             check_distribution(sampler, {.samples = effort.samples,
+                                          .seed = options.seed,
+                                          .significance = significance,
+                                          .stop_at_first_failure = options.stop_at_first_failure,
+                                          .workers = options.workers});
+         verdict.samples = effort.samples * check_configurations().size();
+         verdict.resolutions = {resolution_of(effort.samples, results.front().bound)};
+         return results;
+       }}};
 
+  bool stopped = false;
   for (const Check& check : checks) {
-    const auto results = check();
+    const std::string reason = stopped ? "a check before it failed" : check.reason;
+    if (!reason.empty()) {
+      verdict.skipped.push_back({check.name, "", reason});
+      continue;
+    }
+    const auto results = check.make();
     verdict.results.insert(verdict.results.end(), results.begin(), results.end());
-    if (options.stop_at_first_failure && !all_passed(results)) break;
+    stopped = options.stop_at_first_failure && !all_passed(results);
   }
+  const auto statistics = skipped_statistics(sampler);
+  verdict.skipped.insert(verdict.skipped.end(), statistics.begin(), statistics.end());
   return verdict;
 }
 

@@ -42,21 +42,33 @@ struct ValidationOptions {
   support::Workers workers = {};
 };
 
+/// The errors that samples which were counted together can show.
+struct Resolution {
+  std::string counted;        ///< what was counted together, as "one configuration"
+  std::uint64_t samples = 0;  ///< how many they are
+  double u_error = 0;         ///< visible_u_error(), in u
+  double bin_error = 0;       ///< visible_bin_error(), relative, of the mass of a bin
+};
+
 /// All results of one sampler.
 struct Verdict {
   /// The name of the sampler.
   std::string sampler;
   /// In the order in which the checks were made.
   std::vector<CheckResult> results;
+  /// What was not checked, so that nothing is left out in silence.
+  std::vector<SkippedCheck> skipped = {};
   std::uint64_t samples = 0;  ///< how many were counted in all
-  /// The errors that the counted samples of one configuration can show, in u and in the mass of a
-  /// bin; 0 where nothing was counted.
-  double visible_u_error = 0, visible_bin_error = 0;
+  /// What the counts can show; empty where nothing was counted.
+  std::vector<Resolution> resolutions = {};
 
   /// Whether every result passed.
   bool passed() const;
   /// The first result that did not pass, or null. It lives as long as this verdict.
   const CheckResult* first_failure() const;
+  /// All that did not pass, the worst of the first check that failed at the front: the one that is
+  /// farthest beyond its bound.
+  std::vector<CheckResult> failures() const;
 };
 
 /// Makes every check that `sampler` claims to pass: hard cases, u-error and cross-check where it

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <numeric>
 #include <random>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
-#include "vndf/validate/exact/exact_conditional.h"
+#include "vndf/validate/record_groups.h"
+#include "vndf/validate/record_maps.h"
 #include "vndf/validate/statistics/density_distance.h"
 
 namespace vndf::validate {
@@ -17,52 +19,38 @@ namespace {
 
 constexpr std::size_t kWorthTables =
     300;  // records of one configuration, to tabulate its distribution
-constexpr std::size_t kMostConfigurations = 64;  // that are checked one by one, not in bands
+constexpr std::size_t kMostConfigurations = 64;  // that are counted one by one, not in bands
 constexpr std::size_t kFewestInGroup = 100;
-constexpr std::size_t kConditionals = 4000;  // records whose slope y is checked, 0.1 ms each
-constexpr std::size_t kDetected = 1000;      // records that a map is detected from
-constexpr double kNearMap = 1e-2;
+constexpr std::size_t kRows = 8;  // of records, by a property that uniform numbers must not follow
 constexpr double kFacing = 1e-5;  // text has fewer digits than a float
 
-using Indices = std::vector<std::size_t>;
-using Key = std::array<double, 5>;
+/// A property of configurations that no uniform number may depend on.
+struct Property {
+  const char* name;
+  double (*of)(const Configuration&);
+};
+constexpr std::array kProperties{
+    Property{"theta", [](const Configuration& c) { return c.theta(); }},
+    Property{"phi of wi", [](const Configuration& c) { return std::atan2(c.wi.y, c.wi.x); }},
+    Property{"ax / ay", [](const Configuration& c) { return std::log(c.alpha.x / c.alpha.y); }}};
 
-Key key_of(const Configuration& c) {
-  return {c.wi.x, c.wi.y, c.wi.z, c.alpha.x, c.alpha.y};
+/// A uniform number whose dependence on properties is tested.
+struct Variable {
+  const char* name;
+  double Uniforms::*of;
+};
+constexpr std::array kVariables{Variable{"radius", &Uniforms::r},
+                                Variable{"azimuth", &Uniforms::phi}};
+
+std::string dependence_name(const Variable& variable, const Property& property) {
+  return std::string(variable.name) + " given " + property.name;
 }
 
-/// The band of incidence and roughness that a configuration is in.
-Key band_of(const Configuration& c) {
-  static constexpr std::array kEnds{0.3, 10.0, 30.0, 60.0, 75.0, 85.0, 89.0, 89.9};
-  const double theta =
-      static_cast<double>(std::lower_bound(kEnds.begin(), kEnds.end(), c.theta()) - kEnds.begin());
-  return {theta, std::floor(std::log10(c.alpha.x)), std::floor(std::log10(c.alpha.y)), 0, 0};
-}
-
-template <class KeyOf>
-std::map<Key, Indices> grouped(const Records& records, KeyOf key) {
-  std::map<Key, Indices> groups;
-  for (std::size_t i = 0; i < records.list.size(); ++i)
-    groups[key(records.list[i].configuration)].push_back(i);
-  return groups;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-/// The middle of a group: medians of incidence and roughness.
-Place place_of_group(const Records& records, const Indices& group) {
-  const auto of = [&](auto number) {
-    std::vector<double> values;
-    for (const std::size_t i : group) values.push_back(number(records.list[i].configuration));
-    return median(std::move(values));
-  };
-  return {of([](const Configuration& c) { return c.theta(); }),
-          of([](const Configuration& c) { return c.alpha.x; }),
-          of([](const Configuration& c) { return c.alpha.y; })};
+bool has_result(const std::vector<CheckResult>& results, const std::string& check,
+                const std::string& statistic) {
+  return std::any_of(results.begin(), results.end(), [&](const CheckResult& f) {
+    return f.check == check && f.statistic == statistic;
+  });
 }
 
 class RecordValidation {
@@ -72,39 +60,35 @@ class RecordValidation {
 
   Verdict run() {
     transform();
-    Verdict verdict{.sampler = "records", .results = check_each()};
-    const auto add = [&](const std::vector<CheckResult>& more) {
-      verdict.results.insert(verdict.results.end(), more.begin(), more.end());
-    };
-    if (is_monotone_inverse()) add(check_inverse());
-    auto counted = check_distribution();
-    bound_probabilities(counted, kRunSignificance, number_of_tests(counted));
-    add(counted);
-    const auto count = static_cast<double>(records_.list.size());
-    verdict.samples = records_.list.size();
-    verdict.visible_u_error = visible_u_error(count, counted.front().bound);
-    verdict.visible_bin_error = visible_bin_error(count, bins_for(verdict.samples).line);
+    Verdict verdict{.sampler = "records", .results = check_each(), .skipped = skipped_of_each()};
+    add_map(verdict);
+    add_distribution(verdict);
     return verdict;
   }
 
  private:
   /// Finds the uniform numbers of all records; those of one configuration share its distribution.
   void transform() {
-    const auto groups = grouped(records_, key_of);
+    const auto groups = records_by_configuration(records_);
     configurations_ = groups.size();
-    std::vector<const Indices*> pieces;
-    for (const auto& [key, group] : groups) pieces.push_back(&group);
-    support::parallel_for(pieces.size(), options_.workers, [&](std::size_t p) {
-      const Indices& group = *pieces[p];
+    support::parallel_for(groups.size(), options_.workers, [&](std::size_t g) {
+      const Indices& group = groups[g];
       const ExactDistribution distribution(exact_, options_.normals,
                                            records_.list[group.front()].configuration,
                                            group.size() >= kWorthTables ? Use::many : Use::few);
       for (const std::size_t i : group) {
         std::mt19937_64 random(options_.seed + i);
         const double v = (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53;
-        uniforms_[i] = distribution.uniforms(upright(records_.list[i].wm), v);
+        uniforms_[i] = numbers(distribution.uniforms(upright(records_.list[i].wm), v));
       }
     });
+  }
+
+  /// `w` with 0 for what is not a number, which a direction at the limits of the format may give,
+  /// so that it is counted, and orders stay orders.
+  static Uniforms numbers(const Uniforms& w) {
+    const auto number = [](double v) { return std::isnan(v) ? 0 : v; };
+    return {number(w.r), number(w.phi), number(w.x)};
   }
 
   /// A normal below the horizon is a result of its own; the distribution takes it as horizontal.
@@ -127,6 +111,20 @@ class RecordValidation {
     return results;
   }
 
+  std::vector<SkippedCheck> skipped_of_each() const {
+    std::vector<SkippedCheck> skipped;
+    if (options_.normals == SampledNormals::all)
+      skipped.push_back({"normals", "facing away / (1 + alpha mu)",
+                         "samplers of all normals may return normals that face away"});
+    if (records_.read > records_.list.size())
+      skipped.push_back({"normals", "",
+                         std::to_string(records_.read - records_.list.size()) + " of the " +
+                             std::to_string(records_.read) +
+                             " records are in no check; the others are a random part of them"});
+    if (!records_.has_pdf) skipped.push_back({"density", "pdf", "the records have no column pdf"});
+    return skipped;
+  }
+
   double density_error(const Record& r) const {
     if (r.wm.z < kSmallestHeight) return 0;
     const ExactDistribution distribution(exact_, options_.normals, r.configuration, Use::few);
@@ -135,69 +133,95 @@ class RecordValidation {
     return density_distance(r.pdf, r.wm, exact, facing);
   }
 
-  bool is_monotone_inverse() const {
-    if (!records_.has_u || options_.normals != SampledNormals::visible_smith) return false;
-    if (options_.monotone_inverse) return *options_.monotone_inverse;
-    std::size_t seen = 0, near = 0;
-    for_some(kDetected, [&](std::size_t i) {
-      ++seen;
-      near += std::abs(uniforms_[i].x - records_.list[i].u1) < kNearMap;
-    });
-    return near * 100 >= seen * 99;
+  /// Why the map is not looked at; empty where it is.
+  std::string no_map() const {
+    if (!records_.has_u) return "the records have no random numbers u1,u2";
+    if (options_.normals != SampledNormals::visible_smith)
+      return "only maps to visible normals of Smith's surface are compared with the exact inverse";
+    if (options_.monotone_inverse == false) return "the map is said to be no inverse of the CDFs";
+    return "";
   }
 
-  /// Calls `f` with some `count` indices spread over the records.
-  template <class F>
-  void for_some(std::size_t count, F f) const {
-    const std::size_t n = records_.list.size(), stride = std::max<std::size_t>(1, n / count);
-    for (std::size_t i = 0; i < n; i += stride) f(i);
-  }
-
-  std::vector<CheckResult> check_inverse() const {
-    Worst marginal;
-    for (std::size_t i = 0; i < records_.list.size(); ++i) {
-      const Record& r = records_.list[i];
-      if (r.wm.z >= kSmallestHeight)
-        marginal.see(std::abs(uniforms_[i].x - r.u1), place_of(r.configuration, r.u1, r.u2));
+  void add_map(Verdict& verdict) const {
+    if (const std::string why = no_map(); !why.empty()) {
+      verdict.skipped.push_back({"inverse", "", why});
+      return;
     }
-    Indices some;
-    for_some(kConditionals, [&](std::size_t i) { some.push_back(i); });
-    std::vector<Worst> each(some.size());
-    support::parallel_for(some.size(), options_.workers, [&](std::size_t k) {
-      const Record& r = records_.list[some[k]];
-      each[k].see(conditional_error(r), place_of(r.configuration, r.u1, r.u2));
-    });
-    Worst conditional;
-    for (const Worst& w : each) conditional.see(w);
-    return {marginal.result("inverse", "u-error of slope x", options_.u_error),
-            conditional.result("inverse", "u-error of slope y", options_.u_error)};
+    const auto map = check_record_maps(records_, exact_, uniforms_,
+                                       {.monotone_inverse = options_.monotone_inverse,
+                                        .u_error = options_.u_error,
+                                        .workers = options_.workers});
+    verdict.results.insert(verdict.results.end(), map.results.begin(), map.results.end());
+    verdict.skipped.insert(verdict.skipped.end(), map.skipped.begin(), map.skipped.end());
   }
 
-  double conditional_error(const Record& r) const {
-    const StretchedSlope s = StretchedFrame(exact_, r.configuration).slope_of(r.wm);
-    const double x = s.x / s.w;
-    if (!(r.wm.z >= kSmallestHeight) || !ExactConditional::is_checked(exact_.unit_slopes(), x))
-      return 0;
-    return std::abs(ExactConditional(exact_.unit_slopes(), x).cdf(s.y / s.w).u - r.u2);
+  /// The configurations, or bands of them where they are many, that are counted by themselves.
+  std::vector<Indices> groups() const {
+    return configurations_ <= kMostConfigurations ? records_by_configuration(records_)
+                                                  : records_by_band(records_);
   }
 
-  std::vector<CheckResult> check_distribution() const {
-    const auto groups = configurations_ <= kMostConfigurations ? grouped(records_, key_of)
-                                                               : grouped(records_, band_of);
-    std::vector<CheckResult> parts;
-    for (const auto& [key, group] : groups) {
-      if (group.size() < kFewestInGroup) continue;
-      merge_results(parts, check_group(group, "worst group", place_of_group(records_, group)));
-    }
-    if (groups.size() == 1) {
-      for (CheckResult& f : parts) f.check = "distribution";
-      return parts;
-    }
+  void add_distribution(Verdict& verdict) const {
     Indices all(records_.list.size());
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-    auto results = check_group(all, "distribution", {});
-    results.insert(results.begin(), parts.begin(), parts.end());
-    return results;
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    const bool one = configurations_ == 1;
+    std::vector<CheckResult> counted;
+    std::vector<std::size_t> sizes;
+    std::size_t few = 0, in_few = 0;
+    for (const Indices& group : one ? std::vector<Indices>{} : groups()) {
+      if (group.size() < kFewestInGroup) {
+        ++few;
+        in_few += group.size();
+        continue;
+      }
+      sizes.push_back(group.size());
+      merge_results(counted, check_group(group, "worst group", middle_of(records_, group)));
+    }
+    const auto together = check_group(
+        all, "distribution", one ? place_of(records_.list.front().configuration) : Place{});
+    counted.insert(counted.end(), together.begin(), together.end());
+    bound_probabilities(counted, kRunSignificance, number_of_tests(counted));
+    verdict.results.insert(verdict.results.end(), counted.begin(), counted.end());
+
+    const std::string kind = configurations_ <= kMostConfigurations ? "configuration" : "band";
+    if (one)
+      verdict.skipped.push_back({"worst group", "", "all records have one configuration"});
+    else if (few > 0)
+      verdict.skipped.push_back({"worst group", "",
+                                 std::to_string(in_few) + " records are in " + std::to_string(few) +
+                                     " " + kind + (few == 1 ? "" : "s") + " of fewer than " +
+                                     std::to_string(kFewestInGroup) +
+                                     ", and are counted with all others only"});
+    if (!sizes.empty()) add_skipped_counts(verdict, "worst group");
+    add_skipped_counts(verdict, "distribution");
+    verdict.samples = all.size();
+    add_resolution(verdict, one ? "one configuration" : "all configurations", all.size());
+    if (sizes.empty()) return;
+    const auto [fewest, most] = std::minmax_element(sizes.begin(), sizes.end());
+    add_resolution(verdict, "the largest " + kind, *most);
+    if (*fewest != *most) add_resolution(verdict, "the smallest " + kind, *fewest);
+  }
+
+  /// What the counts of one group can show, at the bound that all counts have.
+  static void add_resolution(Verdict& verdict, const std::string& counted, std::size_t samples) {
+    const double p = verdict.results.back().bound, count = static_cast<double>(samples);
+    verdict.resolutions.push_back({counted, samples, visible_u_error(count, p),
+                                   visible_bin_error(count, bins_for(samples).line)});
+  }
+
+  /// Tells which statistics of counts there are too few records for.
+  void add_skipped_counts(Verdict& verdict, const std::string& check) const {
+    const auto skip = [&](const std::string& statistic, const std::string& why) {
+      if (!has_result(verdict.results, check, statistic))
+        verdict.skipped.push_back({check, statistic, why});
+    };
+    for (const char* name : {"radius tails", "azimuth tails", "slope x tails"})
+      skip(name, "it takes " + std::to_string(LineCounts::kFewestForTails) + " records");
+    const std::size_t needed = kRows * kFewestInGroup;
+    for (const Property& property : kProperties)
+      for (const Variable& variable : kVariables)
+        skip(dependence_name(variable, property),
+             "it takes " + std::to_string(needed) + " records of different " + property.name);
   }
 
   std::vector<CheckResult> check_group(const Indices& group, const std::string& check,
@@ -205,41 +229,30 @@ class RecordValidation {
     UniformCounts counts(bins_for(group.size()));
     for (const std::size_t i : group) counts.add(uniforms_[i]);
     auto results = counts.results(options_.declared, check, where);
-    const auto radius = [](const Uniforms& w) { return w.r; };
-    const auto azimuth = [](const Uniforms& w) { return w.phi; };
-    const auto add = [&](const std::string& name, auto variable, auto given) {
-      if (auto f = check_dependence(group, variable, given)) {
-        f->check = check;
-        f->statistic = name;
-        f->where = where;
-        results.push_back(*f);
-      }
-    };
-    const auto theta = [](const Configuration& c) { return c.theta(); };
-    const auto phi = [](const Configuration& c) { return std::atan2(c.wi.y, c.wi.x); };
-    const auto stretch = [](const Configuration& c) { return std::log(c.alpha.x / c.alpha.y); };
-    add("radius given theta", radius, theta);
-    add("radius given phi of wi", radius, phi);
-    add("radius given ax / ay", radius, stretch);
-    add("azimuth given theta", azimuth, theta);
-    add("azimuth given phi of wi", azimuth, phi);
-    add("azimuth given ax / ay", azimuth, stretch);
+    for (const Variable& variable : kVariables)
+      for (const Property& property : kProperties)
+        if (const auto p = dependence(group, variable, property))
+          results.push_back({.check = check,
+                             .statistic = dependence_name(variable, property),
+                             .kind = Kind::probability,
+                             .measured = *p,
+                             .where = where,
+                             .tests = 1});
     return results;
   }
 
-  /// Whether a uniform number depends on the configuration, which it must not. A mistake in a fixed
-  /// frame, such as an azimuth that stops short, is hidden again when wi is at all azimuths. So the
-  /// records are put in rows of equal size by a property of theirs, and each row is counted by
-  /// itself. Nothing where the records are too few, or all alike.
-  template <class Variable, class Given>
-  std::optional<CheckResult> check_dependence(const Indices& group, Variable variable,
-                                              Given given) const {
-    constexpr std::size_t kRows = 8, kFewestColumns = 5;
+  /// The p-value of a uniform number that does not depend on the configuration, which it must not.
+  /// A mistake in a fixed frame, such as an azimuth that stops short, is hidden again when wi is at
+  /// all azimuths. So the records are put in rows of equal size by a property of theirs, and each
+  /// row is counted by itself. Nothing where the records are too few, or all alike.
+  std::optional<double> dependence(const Indices& group, const Variable& variable,
+                                   const Property& property) const {
+    constexpr std::size_t kFewestColumns = 5;
     const std::size_t columns = std::min(kSideR, bins_for(group.size() / kRows).line);
     if (group.size() < kRows * kFewestInGroup || columns < kFewestColumns) return {};
     std::vector<std::pair<double, double>> pairs;  // the property and the uniform number
     for (const std::size_t i : group)
-      pairs.emplace_back(given(records_.list[i].configuration), variable(uniforms_[i]));
+      pairs.emplace_back(property.of(records_.list[i].configuration), uniforms_[i].*variable.of);
     std::sort(pairs.begin(), pairs.end(),
               [](const auto& a, const auto& b) { return a.first < b.first; });
     if (pairs.front().first == pairs.back().first) return {};
@@ -250,9 +263,8 @@ class RecordValidation {
       for (std::size_t k = row * pairs.size() / kRows; k < end; ++k) counts.add(pairs[k].second);
       statistic += counts.pearson();
     }
-    const double p = chi_square_p(statistic, kRows * (columns - 1) + 1,
-                                  static_cast<double>(group.size()), options_.declared.density);
-    return CheckResult{.kind = Kind::probability, .measured = p, .tests = 1};
+    return chi_square_p(statistic, kRows * (columns - 1) + 1, static_cast<double>(group.size()),
+                        options_.declared.density);
   }
 
   const Records& records_;

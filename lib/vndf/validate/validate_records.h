@@ -1,7 +1,7 @@
 // The validator on records: samples that somebody's sampler has drawn, at configurations of its
 // author's choice. Checked are the distribution of the normals, by the transform of each to uniform
 // numbers, whatever the map; the map, where random numbers are given and it is the monotone
-// inverse; and the density, where it is given.
+// inverse; and the density, where it is given. What is not checked is told, with the reason.
 #pragma once
 
 #include <cstdint>
@@ -22,8 +22,9 @@ inline constexpr double kRecordDensityError = 1e-3;
 struct RecordOptions {
   /// Which normals are drawn.
   SampledNormals normals = SampledNormals::visible_smith;
-  /// Whether the map from (u1, u2) to slopes claims to be the monotone inverse of the CDFs. Where
-  /// this is not said, it does if 99 in 100 slopes x are within 1e-2 of it in u.
+  /// Whether the map from (u1, u2) to slopes is said to be the monotone inverse of the CDFs,
+  /// increasing or decreasing in either number, with the two in either role. Where this is not said
+  /// it is recognised (record_maps.h).
   std::optional<bool> monotone_inverse = {};
   /// The largest |CDF(x(u)) - u| of a map that is the monotone inverse.
   double u_error = 1e-5;
@@ -36,7 +37,8 @@ struct RecordOptions {
 
 /// The results at single configurations, or in bands of them where there are many, and over all
 /// records. The check of the configuration or band in which a statistic is worst is called "worst
-/// group". Throws std::invalid_argument for fewer records than kFewestRecords.
+/// group". A sampler whose normals are exact is accepted whatever its map is, but for a probability
+/// of kRunSignificance. Throws std::invalid_argument for fewer records than kFewestRecords.
 Verdict validate_records(const Records& records, const ExactSlopes& exact,
                          const RecordOptions& options);
 

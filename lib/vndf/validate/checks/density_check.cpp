@@ -17,11 +17,6 @@ constexpr const char* kCheck = "density";
 constexpr std::size_t kNormals = 2000;     // sampled normals of each configuration
 constexpr std::size_t kDerivatives = 300;  // places of the map's derivative
 
-/// Whether the sampler lets the density of its map be found.
-bool tells_density(const SamplerUnderTest& sampler) {
-  return sampler.sample_double || sampler.sampled_density;
-}
-
 struct DensityErrors {
   Worst integral, pdf, d, lambda, g1, jacobian;
 
@@ -126,6 +121,10 @@ class DensityCheck {
 };
 
 }  // namespace
+
+bool tells_density(const SamplerUnderTest& sampler) {
+  return sampler.sample_double || sampler.sampled_density;
+}
 
 std::vector<CheckResult> check_density(const SamplerUnderTest& sampler,
                                        const support::Workers& workers) {

@@ -12,6 +12,9 @@
 
 namespace vndf::validate {
 
+/// Whether the sampler lets the density of its map be found, which the last of the errors needs.
+bool tells_density(const SamplerUnderTest& sampler);
+
 /// The errors of all these functions, the largest over check_configurations(), with the bounds
 /// Bounds::function_error and density_error.
 std::vector<CheckResult> check_density(const SamplerUnderTest& sampler,

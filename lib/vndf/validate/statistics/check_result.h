@@ -33,6 +33,15 @@ struct CheckResult {
   bool passed() const { return kind == Kind::error ? measured <= bound : measured >= bound; }
 };
 
+/// A check, or one statistic of it, that was not made, and why. A verdict that says nothing of it
+/// would be taken for one that includes it.
+struct SkippedCheck {
+  std::string check;              ///< as that of a CheckResult
+  std::string statistic;          ///< empty for the whole check
+  std::string reason;             ///< why, as a text that follows "not run:"
+  std::vector<Place> where = {};  ///< the configurations without it; empty for all of them
+};
+
 /// Whether every result passed.
 inline bool all_passed(const std::vector<CheckResult>& results) {
   return std::all_of(results.begin(), results.end(),

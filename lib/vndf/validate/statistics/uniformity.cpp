@@ -116,7 +116,8 @@ double LineCounts::cumulative(const DeclaredErrors& declared) const {
 }
 
 std::size_t LineCounts::octaves() const {
-  const double most = std::log2(static_cast<double>(samples_) / kFewest) - kFirstOctave;
+  const double most =
+      std::log2(static_cast<double>(samples_) / static_cast<double>(kFewest)) - kFirstOctave;
   return most < 1 ? 0 : std::min(static_cast<std::size_t>(most), std::size_t{kOctaves});
 }
 

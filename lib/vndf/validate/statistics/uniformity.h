@@ -59,8 +59,13 @@ class LineCounts {
 
  private:
   static constexpr int kFirstOctave = 6, kOctaves = 36;
-  static constexpr double kFewest = 16;
+  static constexpr std::uint64_t kFewest = 16;
 
+ public:
+  /// The fewest samples that have an octave.
+  static constexpr std::uint64_t kFewestForTails = kFewest << (kFirstOctave + 1);
+
+ private:
   std::vector<std::uint64_t> bins_;
   std::array<std::uint64_t, kOctaves> lower_{}, upper_{};
   std::uint64_t samples_ = 0;
