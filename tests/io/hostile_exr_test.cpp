@@ -184,6 +184,7 @@ TEST_CASE("windows and chunks that an EXR file only declares take no memory") {
   check_refused(with_window(0, 0x7fffffff, 0x7fffffff), "'conditional' has the shape");
   check_refused(with_window(0, -2, 15), "'conditional' has the shape a single value");
   check_refused(with_window(-0x7fffffff, 0x7fffffff, 15), "'conditional' has the shape");
+  check_refused(with_window(-4, kSmallColumns - 1, kSmallRows - 1), "'conditional' has the shape");
   for (const std::int32_t count : {-1, 0x7fffffff, 0x100000}) {
     std::string bytes = good;
     put_number(bytes, value_of(bytes, "chunkCount", "int"), count);
@@ -219,6 +220,13 @@ TEST_CASE("chunks of an EXR file that are not where they should be are refused")
   };
   CHECK(message_of(pointing(first)) == "the same");
   check_refused(pointing(first + 4), "'conditional': lines of the EXR file are not where");
+  // `marginal` is the seventh part, each of those before has one chunk, and its values are the
+  // same.
+  constexpr std::size_t kMarginal = 6;
+  std::uint64_t other;
+  std::memcpy(&other, good.data() + table + kMarginal * sizeof other, sizeof other);
+  REQUIRE(good[other] == kMarginal);
+  check_refused(pointing(other), "'conditional': lines of the EXR file are not where");
   check_refused(pointing(good.size() - 4), "'conditional': a part of it ends");
   check_refused(pointing(~std::uint64_t{0}), "'conditional': it points outside of itself");
 

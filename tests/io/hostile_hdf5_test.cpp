@@ -11,6 +11,7 @@
 #include "support/catch.h"
 #include "support/memory_limit.h"
 #include "vndf/io/format_error.h"
+#include "vndf/io/hdf5_filters.h"
 #include "vndf/io/hdf5_reader.h"
 #include "vndf/io/hdf5_writer.h"
 #include "vndf/io/stored_tables.h"
@@ -388,6 +389,60 @@ TEST_CASE("a chunk of an HDF5 file that is not its own is refused") {
   check_refused(with_second(kAddress, good.size() - 8), "'marginal': a part of it ends");
   check_refused(with_second(kAddress, ~std::uint64_t{0}),
                 "'marginal': it points outside of itself");
+}
+
+TEST_CASE("a chunk of an HDF5 file may skip filters, as libhdf5 does where they save nothing") {
+  const hid_t filtered = chunked(kSmallRows, kSmallColumns);
+  done(H5Pset_shuffle(filtered));
+  done(H5Pset_deflate(filtered, 9));
+  constexpr std::uint32_t kBoth = 3;
+  const std::vector<float> values = small_rows();
+  CHECK(message_of(changed([&](hid_t root) {
+          put_dataset(root, "marginal", kShape, H5T_IEEE_F32LE, filtered);
+          const hid_t dataset = made(H5Dopen2(root, "marginal", H5P_DEFAULT));
+          const hsize_t first[] = {0, 0};
+          done(H5Dwrite_chunk(dataset, H5P_DEFAULT, kBoth, first, values.size() * sizeof(float),
+                              values.data()));
+          H5Dclose(dataset);
+        })) == "the same");
+}
+
+TEST_CASE("chunks of an HDF5 file that are larger than the array, or too many, are refused") {
+  std::string bytes = with_marginal(chunked(8, kSmallColumns));
+  const std::uint32_t layout[] = {8, kSmallColumns, sizeof(float)};
+  const std::string text(reinterpret_cast<const char*>(layout), sizeof layout);
+  const std::size_t at = bytes.find(text);
+  REQUIRE(at != std::string::npos);
+  bytes[at] = kSmallRows + 1;
+  check_refused(bytes, "'marginal': its chunks are empty or larger than the array");
+  bytes[at] = 0;
+  check_refused(bytes, "'marginal': its chunks are empty or larger than the array");
+
+  constexpr hsize_t kLarge[] = {1024, 2048};
+  check_refused(changed([&](hid_t root) {
+                  put_dataset(root, "marginal", kLarge, H5T_IEEE_F32LE, chunked(1, 1));
+                }),
+                "'marginal': it has more chunks than fit into it");
+}
+
+TEST_CASE("an HDF5 file whose addresses begin elsewhere or that has a driver is refused") {
+  constexpr std::size_t kBase = 24, kDriver = 48;
+  for (const std::size_t field : {kBase, kDriver}) {
+    std::string bytes = write_hdf5(honest());
+    put_number(bytes, field, 8);
+    check_refused(bytes, "its superblock is not of the oldest HDF5 layout");
+  }
+}
+
+TEST_CASE("the fletcher32 of a long chunk does not overflow, and a short chunk is refused") {
+  // Words of all ones add up to a multiple of 65535, so both sums are 0. In 64 bits the second
+  // overflows after 24 million words.
+  constexpr std::size_t kSize = 1u << 26;
+  std::string chunk(kSize, '\xff');
+  chunk.append(4, '\0');
+  CHECK(undo_filters(chunk, {Hdf5Filter::fletcher32}, 0, kSize, 4).size() == kSize);
+  CHECK_THROWS_AS(undo_filters("123", {}, 0, 4, 4), FormatError);
+  CHECK_THROWS_AS(undo_filters("12345", {}, 0, 4, 4), FormatError);
 }
 
 TEST_CASE("values of an HDF5 file that do not match their fletcher32 are refused") {
