@@ -1,5 +1,6 @@
 #!/bin/sh
-# Installs what the build and the tests need on Debian 12, as root or through sudo.
+# Installs what the build and the tests need on Debian 12, and the packages that the arguments name,
+# as root or through sudo.
 set -eu
 
 packages="g++ cmake ninja-build libboost-dev libhdf5-dev libopenexr-dev catch2 libcli11-dev
@@ -7,7 +8,7 @@ packages="g++ cmake ninja-build libboost-dev libhdf5-dev libopenexr-dev catch2 l
   doxygen doxygen-awesome-css zlib1g-dev libpng-dev libtiff-dev"
 
 missing=""
-for package in $packages; do
+for package in $packages "$@"; do
   dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' ||
     missing="$missing $package"
 done

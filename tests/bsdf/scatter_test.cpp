@@ -34,13 +34,19 @@ Vec3<double> along(const Vec3<double>& a, const Vec3<double>& b, double step) {
 /// |d map(m) / d m| on the sphere by central differences.
 template <class Map>
 double area_ratio(Map map, const Vec3<double>& m) {
-  constexpr double kStep = 1e-5;  // rounding 1e-16 / 1e-5, truncation 1e-10
+  constexpr double kStep = 1e-5;  // rounding 1e-16 / 1e-5, truncation by the fourth power
   const Vec3<double> side = std::abs(m.x) < 0.7 ? Vec3<double>{1, 0, 0} : Vec3<double>{0, 1, 0};
   const Vec3<double> u = normalize_or_up(cross(m, side)), v = cross(m, u);
+  const auto difference = [&](const Vec3<double>& t, double step) {
+    const Vec3<double> a = map(along(m, t, step)), b = map(along(m, t, -step));
+    return Vec3<double>{a.x - b.x, a.y - b.y, a.z - b.z};
+  };
+  // The central difference of fourth order, because near total reflection the third derivative is
+  // 1e5 times the first.
   const auto derivative = [&](const Vec3<double>& t) {
-    const Vec3<double> a = map(along(m, t, kStep)), b = map(along(m, t, -kStep));
-    return Vec3<double>{(a.x - b.x) / (2 * kStep), (a.y - b.y) / (2 * kStep),
-                        (a.z - b.z) / (2 * kStep)};
+    const Vec3<double> near = difference(t, kStep), far = difference(t, 2 * kStep);
+    const auto mean = [&](double a, double b) { return (8 * a - b) / (12 * kStep); };
+    return Vec3<double>{mean(near.x, far.x), mean(near.y, far.y), mean(near.z, far.z)};
   };
   const Vec3<double> area = cross(derivative(u), derivative(v));
   return std::sqrt(dot(area, area));

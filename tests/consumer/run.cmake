@@ -26,7 +26,8 @@ endif()
 run(${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer -B ${work}/build -G ${GENERATOR}
     -D CONSUMER_WAY=${WAY} -D VNDF_SOURCE=${SOURCE} -D CMAKE_BUILD_TYPE=${CONFIG}
     -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_PREFIX_PATH=${work}/installed)
-run(${CMAKE_COMMAND} --build ${work}/build --parallel)
+run(${CMAKE_COMMAND} --build ${work}/build --parallel
+    --target runtime_only render own_distribution)
 run(${work}/build/runtime_only)
 run(${work}/build/own_distribution ${work}/student-t.vndf)
 run(${work}/build/render ${work}/student-t.vndf)

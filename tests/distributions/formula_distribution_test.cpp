@@ -235,6 +235,9 @@ TEST_CASE("parameters that cannot be meant are refused by name") {
   check_parameter_refused({"exp(-r)", {{"a", 1}}}, "parameter 'a' is not used by the formula");
   check_parameter_refused({"exp(-r)", {{"2a", 1}}}, "parameter '2a' is not a name");
   check_parameter_refused({"exp(-r)", {{"", 1}}}, "parameter '' is not a name");
+  check_parameter_refused({"exp(-q*r)", {{"\x1b[2J", 1}}}, "parameter '?[2J' is not a name");
+  check_parameter_refused({"exp(-q*r)", {{std::string(kMaxParameterName + 1, 'a'), 1}}},
+                          "has a name of more than 32 characters");
   check_parameter_refused({"exp(-r)", {{"r", 1}}}, "'r' has the name of a variable");
   check_parameter_refused({"exp(-r)", {{"exp", 1}}}, "'exp' has the name of a function");
   check_parameter_refused({"exp(-r)*pi", {{"pi", 3}}}, "'pi' has the name of a function or a");

@@ -164,13 +164,28 @@ struct KnownNames {
   std::vector<std::string> functions, constants, values;
 };
 
-void check_parameters(const Definition& definition, const KnownNames& known) {
-  for (const auto& [name, value] : definition.formula.parameters) {
-    const std::string start = "formula " + support::quoted(definition.formula.text) +
-                              ": parameter " + support::quoted(name) + " ";
+std::string about_parameter(const Formula& formula, const std::string& name) {
+  return "formula " + support::quoted(formula.text) + ": parameter " + support::quoted(name) + " ";
+}
+
+/// Throws for a parameter that no formula could use. Other messages list the names, which must be
+/// printable and short by then.
+void check_parameter_names(const Formula& formula) {
+  for (const auto& parameter : formula.parameters) {
+    const std::string& name = parameter.first;
     if (name.empty() || !starts_name(name[0]) ||
         !std::all_of(name.begin(), name.end(), continues_name))
-      throw std::invalid_argument(start + "is not a name: letters, digits and _");
+      throw std::invalid_argument(about_parameter(formula, name) +
+                                  "is not a name: letters, digits and _");
+    if (name.size() > kMaxParameterName)
+      throw std::invalid_argument(about_parameter(formula, name) + "has a name of more than " +
+                                  std::to_string(kMaxParameterName) + " characters; shorten it");
+  }
+}
+
+void check_parameters(const Definition& definition, const KnownNames& known) {
+  for (const auto& [name, value] : definition.formula.parameters) {
+    const std::string start = about_parameter(definition.formula, name);
     if (contains(definition.variables, name))
       throw std::invalid_argument(start + "has the name of a variable of the formula");
     if (contains(known.functions, name) || contains(known.constants, name))
@@ -285,6 +300,7 @@ CompiledFormula::CompiledFormula(const Formula& formula,
   for (const auto& [name, value] : formula.parameters)
     definition.shown += ", " + name + "=" + support::number_text(value);
   check_size(formula);
+  check_parameter_names(formula);
   if (formula.text.find_first_not_of(' ') == std::string::npos)
     fail(formula.text, 0, "the formula is empty");
   const KnownNames known(definition);

@@ -10,11 +10,12 @@
 
 namespace vndf::distributions {
 
-/// Longest formula in characters, its parameters, and how many parentheses may be open. A formula
+/// Longest formula in characters, its parameters and the letters of their names, and how many
+/// parentheses may be open. A formula
 /// that a person writes keeps them by far. A longer one would make every build slow, because its
 /// density is evaluated some 1e7 times.
 inline constexpr std::size_t kMaxFormulaLength = 2000, kMaxFormulaParameters = 32,
-                             kMaxFormulaDepth = 64;
+                             kMaxParameterName = 32, kMaxFormulaDepth = 64;
 
 /// A formula and the numbers that its names stand for. It may use + - * / ^, comparisons, && ||,
 /// CONDITION ? A : B, the constants pi and e, and the functions abs acos acosh asin asinh atan
