@@ -223,6 +223,8 @@ void save(const std::filesystem::path& path, const KernelTables& tables) {
 }
 
 bool is_kernel_file(const std::filesystem::path& path) {
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(path, none)) return false;  // a pipe would be waited for
   std::ifstream file(path, std::ios::binary);
   char magic[8] = {};
   return file.read(magic, sizeof magic) && std::string_view(magic, 8) == kKernelMagic;

@@ -77,7 +77,8 @@ KernelTables load(const std::filesystem::path& path, const LoadOptions& options 
 /// failure; then nothing is left behind and a file that was at `path` is as it was.
 void save(const std::filesystem::path& path, const KernelTables& tables);
 
-/// Whether the file at `path` begins like one of baked tables; false if it cannot be read.
+/// Whether the file at `path` begins like one of baked tables; false if it is no regular file or
+/// cannot be read.
 bool is_kernel_file(const std::filesystem::path& path);
 
 }  // namespace vndf

@@ -2,6 +2,8 @@
 // names its rule, and one that is accepted is never read outside its bytes.
 #include "vndf/kernel_tables.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
@@ -295,6 +297,11 @@ TEST_CASE("a file that is none of baked tables is an error by name") {
   const File file(std::as_bytes(std::span(foreign)));
   CHECK_FALSE(is_kernel_file(file.path()));
   CHECK_FALSE(is_kernel_file("missing.vndf"));
+  const std::filesystem::path pipe = file.path().string() + ".pipe";
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  CHECK_FALSE(is_kernel_file(pipe));  // and does not wait for somebody to write
+  CHECK_THROWS_WITH(load(pipe), contains("cannot be read"));
+  std::filesystem::remove(pipe);
   CHECK_THROWS_WITH(load(file.path()), contains(file.path().string()));
   CHECK(is_kernel_file(File(smallest().bytes()).path()));
 }

@@ -1,6 +1,7 @@
 // Reads table files in the EXR format. Such files come from strangers, and OpenEXR is not made for
-// that: 3.1.5 takes memory and time as a file declares, before it has seen the pixels. This reads
-// the part of EXR that tables/FORMAT.md describes, and nothing else.
+// that: 3.1.5 allocates what a header declares before it has seen the pixels, and one of 3000
+// mutants of a small file took 0.9 GB and 3 s. This reads the part of EXR that tables/FORMAT.md
+// describes, and nothing else.
 #pragma once
 
 #include <string_view>
