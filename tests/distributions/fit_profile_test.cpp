@@ -113,6 +113,17 @@ TEST_CASE("smoothing takes noise away, tells its size, and comes nearer to the t
   }
 }
 
+TEST_CASE("the reported u-error is that between the samples and the fit") {
+  const RadialProfile noisy = samples_of(Beckmann(), 200, kBeckmannEnd, 0.2);
+  const FittedProfile fit = smoothed(noisy);
+  const MeasuredProfile through("through", noisy, ProfileTail::none),
+      smooth("smooth", fit.profile, ProfileTail::none);
+  const double difference = error_of(through, smooth);
+  // One is of the radius, and the other of the slope x at the worst incidence.
+  CHECK(fit.residual.u_error > difference / 3);
+  CHECK(fit.residual.u_error < difference * 3);
+}
+
 TEST_CASE("smoothing leaves a profile without noise as it is") {
   const Beckmann truth;
   const FittedProfile fit = smoothed(samples_of(truth, 200, kBeckmannEnd));
