@@ -132,6 +132,14 @@ TEST_CASE("smoothing leaves a profile without noise as it is") {
   CHECK(error_of(smooth, truth) < 1e-5);
 }
 
+TEST_CASE("samples that are no profile are not smoothed") {
+  CHECK_THROWS_WITH(smoothed({{0, 1, 2, 3}, {1, 1e308, 1e308, 1}}), contains("use other units"));
+  CHECK_THROWS_WITH(smoothed({{0, 1, 2, 3}, {0, 0, 0, 0}}), contains("zero at every sample"));
+  RadialProfile hole = samples_of(Beckmann(), 20, 2);
+  hole.p22[7] = 0;
+  CHECK_THROWS_WITH(smoothed(hole), contains("zero between positive ones"));
+}
+
 TEST_CASE("seven samples are too few to smooth") {
   CHECK_THROWS_WITH(smoothed(samples_of(Beckmann(), 7, 2)),
                     contains("7 samples") && contains("at least 8"));

@@ -29,6 +29,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::accept_or_throw<std::runtime_error>([&] {
     std::istringstream stream{std::string(fuzz::text_of(data, size))};
     const auto samples = distributions::read_profile_csv(stream, "profile.csv");
+    fuzz::accept_or_throw<std::exception>(
+        [&] { make(distributions::smoothed(samples).profile, ProfileTail::none); });
     for (const auto tail : {ProfileTail::none, ProfileTail::exponential, ProfileTail::power})
       make(samples, tail);
   });

@@ -88,7 +88,7 @@ DistributionSource from_profile(const SourceArguments& a) {
   distributions::RadialProfile samples = distributions::read_profile_csv(a.profile);
   std::string notes;
   if (a.smooth) {
-    auto [fewer, residual] = distributions::smoothed(samples);
+    auto [fewer, residual] = distributions::smoothed(std::move(samples));
     notes = describe("smoothed", residual, fewer.r.size());
     samples = std::move(fewer);
   }

@@ -226,7 +226,8 @@ FittedProfile resampled(const RadialProfile& profile) {
   return fitted(profile, samples, closest_knots(samples));
 }
 
-FittedProfile smoothed(const RadialProfile& profile) {
+FittedProfile smoothed(RadialProfile given) {
+  const RadialProfile profile = checked_profile(std::move(given));
   const Samples samples = positive_samples(profile);
   if (samples.size() < kFewestToSmooth)
     throw std::invalid_argument("radial profile: it has " + std::to_string(samples.size()) +

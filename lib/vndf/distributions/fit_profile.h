@@ -46,7 +46,8 @@ inline constexpr std::size_t kFewestToSmooth = 8;
 
 /// Returns the fit that predicts best what it has not seen: pieces are halved as long as the fit to
 /// every other sample comes nearer to the rest. What is left is taken for noise. Throws
-/// std::invalid_argument for fewer than kFewestToSmooth positive samples.
-FittedProfile smoothed(const RadialProfile& profile);
+/// std::invalid_argument as checked_profile() does, and for fewer than kFewestToSmooth positive
+/// samples.
+FittedProfile smoothed(RadialProfile profile);
 
 }  // namespace vndf::distributions
