@@ -103,6 +103,25 @@ TEST_CASE(
   check_quantiles<GgxForms>();
 }
 
+TEST_CASE("the upper tail of GGX keeps its digits down to a mass of 1e-12") {
+  // With x = tan(psi), 1 - V = (1 - sin(psi + theta)) / (1 + cos(theta)) (ggx_exact.h). At the
+  // angle delta before the edge this is 2 sin^2(delta / 2) / (1 + cos(theta)), without
+  // cancellation.
+  const Case<GgxForms> s;
+  for (const double degrees : {10.0, 30.0, 60.0, 80.0})
+    for (const double delta : {2e-6, 1e-5, 1e-4, 1e-3, 0.01, 0.1}) {
+      const auto w = s.at(degrees);
+      const double theta = degrees * std::numbers::pi / 180, half = std::sin(delta / 2);
+      const double x = std::tan(std::numbers::pi / 2 - theta - delta);
+      const auto v = MarginalDistribution(s.slopes, w.c).cdf(std::asinh(x / s.slopes.mean_slope()));
+      CAPTURE(degrees, delta);
+      // asinh(x) is rounded by some 1e-16 of 1, which moves delta by as much. The mass changes by
+      // twice that over delta.
+      CHECK(v.complement ==
+            Approx(2 * half * half / (1 + std::cos(theta))).epsilon(1e-9 + 4e-15 / delta));
+    }
+}
+
 TEST_CASE("a narrow component within reach of cot(theta) does not spoil the upper tail") {
   constexpr double kNarrow = 0.01;
   const auto mixture = parse_distribution("mixture:0.5*ggx+0.5*beckmann@0.01");
