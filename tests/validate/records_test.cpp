@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "support/catch.h"
+#include "support/drawn_records.h"
 #include "support/samplers_under_test.h"
 #include "vndf/validate/validate_records.h"
 
@@ -192,6 +193,72 @@ TEST_CASE(
   const auto slopes = exact_slopes("ggx");
   CHECK(first_failure(validate_records(records, *slopes, {.normals = SampledNormals::all})) == "");
   CHECK(first_failure(validate_records(records, *slopes, {})) != "");
+}
+
+TEST_CASE("what records cannot show is told, and no check is left out in silence") {
+  const auto reason = [](const Verdict& v, const std::string& check, const std::string& statistic) {
+    for (const SkippedCheck& s : v.skipped)
+      if (s.check == check && s.statistic == statistic) return s.reason;
+    return std::string();
+  };
+  const auto slopes = exact_slopes("ggx");
+  Records records = draw(CapsGgx<float>{}, {.count = 1000, .one_configuration = true});
+  records.has_pdf = records.has_u = false;
+  const Verdict few = validate_records(records, *slopes, {});
+  CHECK_THAT(reason(few, "density", "pdf"), contains("no column pdf"));
+  CHECK_THAT(reason(few, "inverse", ""), contains("no random numbers u1,u2"));
+  CHECK_THAT(reason(few, "worst group", ""), contains("one configuration"));
+  for (const std::string name : {"radius tails", "azimuth tails", "slope x tails"})
+    CHECK_THAT(reason(few, "distribution", name), contains("it takes 2048 records"));
+  CHECK_THAT(reason(few, "distribution", "azimuth given ax / ay"),
+             contains("it takes 800 records of different ax / ay"));
+  const Verdict many = validate_records(draw(CapsGgx<float>{}, {.count = 3000}), *slopes, {});
+  CHECK(reason(many, "distribution", "radius tails").empty());
+  CHECK(reason(many, "distribution", "azimuth given ax / ay").empty());
+  CHECK(reason(many, "density", "pdf").empty());
+  records.has_u = true;
+  const Verdict all = validate_records(records, *slopes, {.normals = SampledNormals::all});
+  CHECK_THAT(reason(all, "inverse", ""), contains("only maps to visible normals"));
+  CHECK_FALSE(has(all, "inverse"));
+  CHECK_THAT(reason(all, "normals", "facing away / (1 + alpha mu)"), contains("all normals"));
+}
+
+TEST_CASE("counts say what each group can show, and which records are in none") {
+  const std::vector<Configuration> list{at_angles(10, 0, 0.5, 0.5), at_angles(50, 0, 0.5, 0.5),
+                                        at_angles(80, 0, 0.5, 0.5)};
+  Records records = draw_records(CapsGgx<float>{}, std::span{list}.first(1), 700, 2);
+  for (const auto& [place, count] : {std::pair{1, 300}, {2, 99}}) {
+    const auto more = draw_records(CapsGgx<float>{}, std::span{list}.subspan(place, 1), count, 3);
+    records.list.insert(records.list.end(), more.list.begin(), more.list.end());
+  }
+  const Verdict v = validate_records(records, *exact_slopes("ggx"), {});
+  REQUIRE(v.resolutions.size() == 3);
+  CHECK(v.resolutions[0].samples == 1099);
+  CHECK(v.resolutions[1].samples == 700);
+  CHECK(v.resolutions[1].counted == "the largest configuration");
+  CHECK(v.resolutions[2].samples == 300);
+  const double p = result_of(v, "worst group", "radius cdf").bound;
+  CHECK(v.resolutions[2].u_error == visible_u_error(300, p));
+  CHECK(v.resolutions[2].bin_error == visible_bin_error(300, bins_for(300).line));
+  const bool told = std::any_of(v.skipped.begin(), v.skipped.end(), [](const SkippedCheck& s) {
+    return s.check == "worst group" &&
+           s.reason.find("99 records are in 1 configuration of fewer than 100") == 0;
+  });
+  CHECK(told);
+}
+
+TEST_CASE("the failure that is farthest beyond its bound is named first, of the first check") {
+  Verdict v;
+  CHECK(v.failures().empty());
+  v.results = {{.check = "a", .statistic = "good", .measured = 1, .bound = 2},
+               {.check = "a", .statistic = "near", .measured = 3, .bound = 2},
+               {.check = "a", .statistic = "far", .measured = 9, .bound = 2},
+               {.check = "b", .statistic = "other", .measured = 99, .bound = 2}};
+  const auto failures = v.failures();
+  REQUIRE(failures.size() == 3);
+  CHECK(failures[0].statistic == "far");
+  CHECK(failures[1].statistic == "near");
+  CHECK(failures[2].statistic == "other");
 }
 
 TEST_CASE("too few records are refused") {
