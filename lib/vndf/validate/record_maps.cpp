@@ -176,8 +176,8 @@ class RecordMaps {
     }
   }
 
-  /// The interval that the CDF of slope x has within the rounding of the normal. The two components
-  /// of a slope are mixed by rotations, so each is as far off as the longer one.
+  /// The distance of `u` from the values that the CDF of slope x takes within the rounding of the
+  /// normal. Rotations mix the two components of a slope, so each is rounded as the length is.
   double error_x(const Record& r, double u) const {
     const StretchedFrame frame(exact_, r.configuration);
     const precompute::MarginalDistribution visible(exact_.unit_slopes(), frame.cotangent());

@@ -21,9 +21,9 @@ namespace vndf::validate {
 
 /// The smallest rank correlation of both slopes' CDFs with the random numbers at which a map is
 /// recognised. Concentric maps of the square to a disk (Shirley and Chiu 1997), which renderers use
-/// and which are no inverse, have up to 0.9885 for slope x of GGX at any incidence, and less than
-/// 0.992 in any 100 records. Maps whose error changes the order of slopes by 0.02 of u (root mean
-/// square) have 0.9976.
+/// and which are no inverse, have up to 0.9885 for slope x of GGX in 2000 records at 14 incidences,
+/// and tests see none in 100 records at each of 91. Maps whose error changes the order of slopes by
+/// 0.02 of u (root mean square) have 0.9976.
 inline constexpr double kMapCorrelation = 0.997;
 /// The fewest records of a configuration, or of a band of them, that a map is recognised from.
 inline constexpr std::size_t kFewestForMap = 100;
