@@ -23,12 +23,6 @@ namespace kernel {
 #include "vndf/kernel_text.h"
 }  // namespace kernel
 
-/// Largest -dot(wi, wm) that rounding can leave on a sampled normal, whose exact value is >= 0.
-inline constexpr float kKernelFacingSlack = 4 * 0x1p-23f;
-
-/// Largest difference of the length of a sampled normal from 1.
-inline constexpr float kKernelLengthSlack = 4 * 0x1p-23f;
-
 class Kernel;
 
 /// A kernel after step 1 of Algorithm 4, which depends on the direction and roughness alone, for
@@ -84,8 +78,8 @@ class Kernel {
 
   /// Draws a normal visible from `wi` (wi.z >= 0). slope_x increases with u1 and slope_y with u2 in
   /// the frame of the stretched incident direction; at the exact pole its azimuth is taken as 0.
-  /// Returns a unit normal, to kKernelLengthSlack, with wm.z > 0 and dot(wi, wm) >=
-  /// -kKernelFacingSlack; (0, 0, 1) for an input outside its range.
+  /// Returns a unit normal, to kLengthSlack<float>, with wm.z > 0 and dot(wi, wm) >=
+  /// -kFacingSlack<float>; (0, 0, 1) for an input outside its range.
   Vec3<float> sample(const Vec3<float>& wi, const Alpha<float>& alpha, float u1,
                      float u2) const noexcept {
     return kernel::vndf_sample_towards(tables_, wi, alpha.x, alpha.y, u1, u2);
@@ -117,7 +111,8 @@ class Kernel {
     return kernel::vndf_d(tables_, wm, alpha.x, alpha.y);
   }
 
-  /// Smith's Lambda(w) of the direction or its mirror below the horizon; infinite at the horizon.
+  /// Smith's Lambda(w) of the direction or its mirror below the horizon; infinite at the
+  /// horizon and next to it, where it is beyond the largest float.
   float lambda(const Vec3<float>& w, const Alpha<float>& alpha) const noexcept {
     return kernel::vndf_lambda(tables_, w, alpha.x, alpha.y);
   }

@@ -13,10 +13,6 @@
 
 namespace vndf {
 
-/// Largest -dot(wi, wm) that rounding can leave on a sampled normal, whose exact value is >= 0.
-template <class T>
-inline constexpr T kFacingSlack = T(4) * std::numeric_limits<T>::epsilon();
-
 /// The slope (x / w, y / w), w >= 0, in the frame of the stretched incident direction. It has no
 /// division, and so does not overflow where slopes are infinite.
 template <class T>

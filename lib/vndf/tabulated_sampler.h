@@ -17,6 +17,7 @@
 #include <optional>
 #include <utility>
 
+#include "vndf/select.h"
 #include "vndf/slope_tables.h"
 #include "vndf/stretch.h"
 #include "vndf/table_coordinates.h"
@@ -52,7 +53,7 @@ class TabulatedSampler {
     // 2. sample the slope of the stretched configuration
     const HomogeneousSlope<T> slope = map_.at(s.c, columns_of(u1, u2)).slope;
     // 3. rotate, 4. unstretch, 5. compute the normal
-    return unstretched_normal(slope, s.phi, s.alpha);
+    return unstretched_normal(visible(slope, s), s.phi, s.alpha);
   }
 
   /// Density of normals D(wm) per solid angle; 0 for a horizontal or back-facing normal.
@@ -67,7 +68,8 @@ class TabulatedSampler {
     return log_ndf_.at(std::asinh(slope)) / (a.x * a.y * square * square);
   }
 
-  /// Smith's Lambda(w) of the direction or its mirror below the horizon; infinite at the horizon.
+  /// Smith's Lambda(w) of the direction or its mirror below the horizon; infinite at the
+  /// horizon and next to it, where it is beyond the largest number.
   T lambda(const Vec3<T>& w, const Alpha<T>& alpha) const noexcept {
     const Vec3<T> above{w.x, w.y, std::abs(w.z)};
     if (!valid(above, alpha)) return T(0);
@@ -101,7 +103,7 @@ class TabulatedSampler {
     if (!valid(wi, alpha)) return {{T(0), T(0), T(1)}, T(0)};
     const Stretched s = stretch(wi, alpha);
     const MappedSlope<T> mapped = map_.at(s.c, columns_of(u1, u2));
-    const Vec3<T> normal = unstretched(mapped.slope, s.phi, s.alpha);
+    const Vec3<T> normal = unstretched(visible(mapped.slope, s), s.phi, s.alpha);
     return {normalize_or_up(normal), density(mapped, std::sqrt(dot(normal, normal)), s.alpha)};
   }
 
@@ -126,13 +128,22 @@ class TabulatedSampler {
     Alpha<T> alpha;
     Azimuth<T> phi;
     BoundedSlope<T> c;
+    T cotangent;
   };
 
   Stretched stretch(const Vec3<T>& wi, const Alpha<T>& alpha) const {
     const Alpha<T> a = normalized(alpha);
     const T x = a.x * wi.x, y = a.y * wi.y;
     const Azimuth<T> phi = azimuth(x, y);
-    return {a, phi, bounded_cotangent(wi.z, phi.length, x * x + y * y)};
+    return {a, phi, bounded_cotangent(wi.z, phi.length, x * x + y * y), wi.z / phi.length};
+  }
+
+  /// `slope` where it faces the direction: slope x is at most the cotangent. The map keeps to that
+  /// in its bounded form, whose rounding the mean slope and roughness multiply; it reaches 4e-5 in
+  /// dot(wi, wm) for heavy tails. At the pole the cotangent is infinite or not a number, and the
+  /// slope stays as it is.
+  static HomogeneousSlope<T> visible(const HomogeneousSlope<T>& slope, const Stretched& s) {
+    return {smaller(s.cotangent * slope.w, slope.x), slope.y, slope.w};
   }
 
   /// Density per solid angle of a normal that had the length `l` before it was normalised. Of

@@ -187,7 +187,10 @@ class VisibleSlopeMap {
   }
 
   /// The slope (x, scale y), with `scale` times the denominator of x as ConditionalScale gives it.
+  /// A scale of 0 leaves no slope y, also where y over the scale is infinite: at u1 = 0 and u2 = 0
+  /// or 1 of Beckmann slopes, whose scale is finite, the normal is horizontal along slope x.
   static HomogeneousSlope<T> joined(const SlopeFraction<T>& x, T scale, const SlopeFraction<T>& y) {
+    if (scale == T(0) && y.denominator == T(0)) return {x.numerator, scale, x.denominator};
     return {x.numerator * y.denominator, scale * y.numerator, x.denominator * y.denominator};
   }
 

@@ -61,8 +61,8 @@ TEST_CASE("every normal of a kernel is a unit vector above the horizon that face
       lowest = std::min(lowest, wm.z);
     }
     CAPTURE(distribution);
-    CHECK(length <= double{kKernelLengthSlack});
-    CHECK(away <= double{kKernelFacingSlack});
+    CHECK(length <= double{kLengthSlack<float>});
+    CHECK(away <= double{kFacingSlack<float>});
     CHECK(lowest > 0);
   }
 }
