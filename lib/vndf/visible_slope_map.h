@@ -187,11 +187,12 @@ class VisibleSlopeMap {
   }
 
   /// The slope (x, scale y), with `scale` times the denominator of x as ConditionalScale gives it.
-  /// A scale of 0 leaves no slope y, also where y over the scale is infinite: at u1 = 0 and u2 = 0
-  /// or 1 of Beckmann slopes, whose scale is finite, the normal is horizontal along slope x.
+  /// Where the scale is 0 and y infinite, as at u1 = 0 and u2 = 0 or 1 of Beckmann slopes, the
+  /// slope is infinite along x; nowhere else does the least number change a digit of a normal.
   static HomogeneousSlope<T> joined(const SlopeFraction<T>& x, T scale, const SlopeFraction<T>& y) {
-    if (scale == T(0) && y.denominator == T(0)) return {x.numerator, scale, x.denominator};
-    return {x.numerator * y.denominator, scale * y.numerator, x.denominator * y.denominator};
+    constexpr T kLeast = std::numeric_limits<T>::min();
+    return {x.numerator * (y.denominator + kLeast), scale * y.numerator,
+            x.denominator * y.denominator};
   }
 
   /// Whether the map reaches the slope x and the value v. Inverse lookup answers with the end of a
