@@ -56,7 +56,8 @@ std::vector<CheckResult> check_hard_cases(const SamplerUnderTest& sampler) {
                                {0.1, 1e-4},
                                {10.0, 0.01},
                                {0.01, 10.0}})
-    for (const double theta : {0.0, 1e-7, 0.1, 45.0, 89.0, 89.99, 90 - 1e-5, 90 - 1e-7, 90.0})
+    for (const double theta :
+         {0.0, 1e-20, 1e-7, 0.1, 45.0, 89.0, 89.99, 90 - 1e-5, 90 - 1e-7, 90.0})
       for (const double phi : {0.0, 45.0, 90.0, 200.0})
         for (const double u1 : corners)
           for (const double u2 : corners)

@@ -1,5 +1,6 @@
 // Hard cases: inputs at the edges of their ranges, where samplers divide by 0 or lose all digits.
-// Roughness is from 1e-4 to 10 at ratios up to 1:1000, incidence from the pole to the horizon at
+// Roughness is from 1e-4 to 10 at ratios up to 1:1000, incidence from the pole, and so close to it
+// that the horizontal part of wi cannot be squared in single precision, to the horizon at
 // 90 - 1e-7 degrees and 90, and random numbers are 0, the smallest there is, 1/2, the largest below
 // 1, and 1. Every normal must be a finite unit vector that is not below the horizon and faces wi,
 // and pdf there must be finite and not negative.
