@@ -1,11 +1,11 @@
 // The vndf program: parses the command line, calls the library, prints. Exit status 0, 1 after a
 // failure (one line on standard error) or a sampler that does not pass, and 2 for wrong usage.
 #include <exception>
-#include <iostream>
 #include <string>
 
 #include "commands/command_line.h"
 #include "commands/commands.h"
+#include "commands/messages.h"
 #include "commands/output_file.h"
 
 int main(int argc, char** argv) {
@@ -32,9 +32,9 @@ int main(int argc, char** argv) {
   } catch (const CLI::RuntimeError& e) {
     return e.get_exit_code();  // a verdict, already printed
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? 0 : 2;
+    return vndf::tools::show(app, e);
   } catch (const std::exception& e) {
-    std::cerr << "vndf: " << e.what() << '\n';
+    vndf::tools::print_failure(e.what());
     return 1;
   }
   return 0;

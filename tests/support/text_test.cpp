@@ -28,6 +28,33 @@ TEST_CASE("a quoted text has at most 60 bytes, all printable, around the place t
   CHECK(quoted(middle, 1000) == quoted(middle, 200));
 }
 
+TEST_CASE("a printable text keeps the characters of UTF-8 and escapes what drives a terminal") {
+  CHECK(printable("σ = 1, 'plain' \\") == "σ = 1, 'plain' \\");
+  CHECK(printable("a\x1b]0;b\x07\r\n\tc\x7f") == "a\\x1b]0;b\\x07\\x0d\\n\\x09c\\x7f");
+  CHECK(printable("\xc2\x9b"
+                  "31m") == "\\xc2\\x9b31m");  // CSI of C1
+  CHECK(printable("\xc2\xa0\xed\x9f\xbf\xf4\x8f\xbf\xbf") ==
+        "\xc2\xa0\xed\x9f\xbf\xf4\x8f\xbf\xbf");
+}
+
+TEST_CASE("bytes that are not UTF-8 are escaped one by one") {
+  for (const std::string wrong :
+       {"\x80", "\xff", "\xc0\xaf", "\xe0\x80\xaf", "\xed\xa0\x80", "\xf0\x80\x80\xaf",
+        "\xf4\x90\x80\x80", "\xe2\x82", "\xf5\x80\x80\x80"}) {
+    CAPTURE(wrong.size());
+    const std::string shown = printable(wrong);
+    CHECK(shown.size() == 4 * wrong.size());
+    CHECK(shown.find_first_not_of("\\xabcdef0123456789") == std::string::npos);
+  }
+}
+
+TEST_CASE("a printable text that is too long is cut between characters") {
+  CHECK(printable("abcdef", 6) == "abcdef");
+  CHECK(printable("abcdefg", 6) == "abcdef...");
+  CHECK(printable("aσσ", 4) == "aσ...");
+  CHECK(printable("ab\x1b", 4) == "ab...");
+}
+
 TEST_CASE("a text that is no finite number is none") {
   for (const char* text : {"", "x", "1x", "1 ", " 1", "+1", "inf", "-inf", "nan", "1e999", "1e"}) {
     CAPTURE(text);

@@ -9,6 +9,7 @@
 #include "commands/arguments.h"
 #include "commands/bake_options.h"
 #include "commands/commands.h"
+#include "commands/messages.h"
 #include "commands/output_file.h"
 #include "commands/table_files.h"
 #include "report/report.h"
@@ -38,7 +39,7 @@ KernelTables baked(const io::TableFile& pair, const Arguments& a, const std::str
     const std::string note = fmt::format(
         "certificate: that of the pair and the differences from it, not measured, for {}",
         e.what());
-    if (!a.quiet) std::cerr << "vndf: warning: " << note << '\n';
+    print_warning(note);
     text.provenance.notes += note + "\n";
     return precompute::bake_uncertified(*pair.tables, pair.certificate, options, text);
   }
@@ -60,7 +61,7 @@ void bake_file(const Arguments& a, const std::string& command_line) {
     auto report = to_json(tables);
     report["output"] = a.output;
     report["seconds"] = seconds.count();
-    std::cout << report.dump(2) << '\n';
+    std::cout << json_text(report) << '\n';
   } else if (!a.quiet) {
     std::cout << describe(tables) << written(a.output, tables.bytes().size(), seconds.count());
   }
@@ -77,7 +78,7 @@ void add_bake(CLI::App& app, const std::string& command_line) {
   add_bake_options(*command, arguments->baking);
   add_threads(*command, arguments->threads);
   auto* json = command->add_flag("--json", arguments->json, "Print the report as one JSON object");
-  command->add_flag("--quiet", arguments->quiet, "Print nothing")->excludes(json);
+  command->add_flag("--quiet", arguments->quiet, "Print nothing but warnings")->excludes(json);
   command->callback([arguments, command_line] { bake_file(*arguments, command_line); });
 }
 

@@ -13,6 +13,7 @@
 #include "commands/bake_options.h"
 #include "commands/commands.h"
 #include "commands/distribution_source.h"
+#include "commands/messages.h"
 #include "commands/output_file.h"
 #include "commands/table_files.h"
 #include "report/report.h"
@@ -79,10 +80,9 @@ void warn_of_errors(const Certificate& certificate) {
   constexpr double kLarge = 1e-3;
   const auto warn = [](const TableErrors& e, const char* table, const char* row) {
     if (e.max_u_error <= kLarge) return;
-    std::cerr << fmt::format(
-        "vndf: warning: the {} table errs by up to {:.2e} in u (at {} {:.4g}, u {:.6g}); a larger "
-        "--size may help\n",
-        table, e.max_u_error, row, e.worst_row, e.worst_u);
+    print_warning(fmt::format(
+        "the {} table errs by up to {:.2e} in u (at {} {:.4g}, u {:.6g}); a larger --size may help",
+        table, e.max_u_error, row, e.worst_row, e.worst_u));
   };
   warn(certificate.marginal, "marginal", "theta");
   warn(certificate.conditional, "conditional", "slope");
@@ -128,7 +128,7 @@ void build(const BuildArguments& arguments, const std::string& command_line) {
                       .threads = arguments.threads,
                       .progress = progress_bar(arguments)});
   const auto finish = [&](const auto& tables) {
-    if (!arguments.quiet) warn_of_errors(certificate_of(tables));
+    warn_of_errors(certificate_of(tables));
     save_as(arguments.output, tables);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     const auto bytes = std::filesystem::file_size(arguments.output);
@@ -139,7 +139,7 @@ void build(const BuildArguments& arguments, const std::string& command_line) {
       report["bytes"] = bytes;
       report["mass"] = built.mass;
       report["quadrature_error"] = built.quadrature_error;
-      std::cout << report.dump(2) << '\n';
+      std::cout << json_text(report) << '\n';
     } else if (!arguments.quiet) {
       std::cout << describe(tables) << written(arguments.output, bytes, seconds.count());
     }
@@ -166,8 +166,7 @@ void add_build(CLI::App& app, const std::string& command_line) {
   add_bake_options(*command, arguments->baking);
   add_threads(*command, arguments->threads);
   auto* json = command->add_flag("--json", arguments->json, "Print the report as one JSON object");
-  command->add_flag("--quiet", arguments->quiet, "Print nothing, draw no progress bar")
-      ->excludes(json);
+  command->add_flag("--quiet", arguments->quiet, "Print nothing but warnings")->excludes(json);
   command->add_flag("--list", arguments->list, "List the named distributions and stop");
   command->callback([arguments, command_line] {
     if (arguments->list) {

@@ -8,6 +8,7 @@
 
 #include "commands/arguments.h"
 #include "commands/commands.h"
+#include "commands/messages.h"
 #include "commands/output_file.h"
 #include "commands/table_files.h"
 #include "report/verdict_text.h"
@@ -118,7 +119,7 @@ void add_check(CLI::App& app) {
     try {
       accepted = check_and_report(*a);
     } catch (const std::exception& e) {
-      std::cerr << "vndf: " << e.what() << '\n';
+      print_failure(e.what());
       throw CLI::RuntimeError(kUnusable);
     }
     if (!accepted) throw CLI::RuntimeError(kRejected);

@@ -11,6 +11,7 @@
 
 #include "commands/arguments.h"
 #include "commands/commands.h"
+#include "commands/output_file.h"
 #include "commands/table_files.h"
 #include "vndf/distributions/specification.h"
 #include "vndf/precompute/build_tables.h"
@@ -133,7 +134,7 @@ void print(const VarianceArguments& a, const std::string& distribution,
       for (const auto& r : results[i]) light["estimators"].push_back(to_json(r));
       report["lights"].push_back(light);
     }
-    std::cout << report.dump(2) << '\n';
+    std::cout << json_text(report) << '\n';
     return;
   }
   std::cout << fmt::format("{}, alpha {:g} x {:g}, theta {:g} degrees, {:g} samples, seed {}\n",

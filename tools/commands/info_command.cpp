@@ -4,6 +4,7 @@
 #include <string>
 
 #include "commands/commands.h"
+#include "commands/output_file.h"
 #include "commands/table_files.h"
 #include "report/report.h"
 
@@ -21,7 +22,7 @@ void add_info(CLI::App& app) {
   command->callback([arguments] {
     const auto print = [&](const auto& tables) {
       if (arguments->json)
-        std::cout << to_json(tables).dump(2) << '\n';
+        std::cout << json_text(to_json(tables)) << '\n';
       else
         std::cout << describe(tables);
     };

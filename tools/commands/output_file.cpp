@@ -39,9 +39,13 @@ void require_output(const std::string& path, const std::vector<std::string>& inp
       refuse("it is also read, and would be lost; choose another name to write to");
 }
 
+std::string json_text(const nlohmann::ordered_json& report) {
+  return report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
 void write_json(const std::string& path, const nlohmann::ordered_json& report) {
   try {
-    io::replace_file(path, report.dump(2) + "\n");
+    io::replace_file(path, json_text(report) + "\n");
   } catch (const io::FormatError& error) {
     throw std::runtime_error(path + ": " + error.what());
   }

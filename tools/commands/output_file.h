@@ -13,6 +13,9 @@ namespace vndf::tools {
 /// be lost.
 void require_output(const std::string& path, const std::vector<std::string>& inputs = {});
 
+/// `report` as text, indented. Bytes that are not UTF-8, as in names of files, become U+FFFD.
+std::string json_text(const nlohmann::ordered_json& report);
+
 /// Writes `report` with a line end to `path`, under a temporary name first. Throws
 /// std::runtime_error, naming `path`.
 void write_json(const std::string& path, const nlohmann::ordered_json& report);

@@ -1,6 +1,8 @@
 // How the program shows a table file and its certificate.
 #include "report/report.h"
 
+#include "vndf/support/text.h"
+
 #include <fmt/format.h>
 
 #include <sstream>
@@ -9,7 +11,7 @@ namespace vndf::tools {
 namespace {
 
 void line(std::string& text, std::string_view what, const std::string& value) {
-  text += fmt::format("  {:<24}{}\n", what, value);
+  text += fmt::format("  {:<24}{}\n", what, support::printable(value));
 }
 
 std::string size_of(const QuantileTable& table, std::string_view axes) {
@@ -44,7 +46,7 @@ std::string text_of(const Specification& s) {
 
 /// The slopes and where they come from.
 std::string heading(const std::string& distribution, const Provenance& origin) {
-  std::string text = fmt::format("{} slopes\n", distribution);
+  std::string text = fmt::format("{} slopes\n", support::printable(distribution));
   line(text, "specification", text_of(origin.specification));
   lines(text, "made by", origin.command);
   line(text, "with", origin.program);
@@ -157,7 +159,7 @@ std::string written(const std::string& path, std::uintmax_t bytes, double second
   const auto count = static_cast<double>(bytes);
   const std::string size = count < kMebi ? fmt::format("{:.1f} KiB", count / kKibi)
                                          : fmt::format("{:.1f} MiB", count / kMebi);
-  return fmt::format("\nwrote {} ({}) in {:.2f} s\n", path, size, seconds);
+  return fmt::format("\nwrote {} ({}) in {:.2f} s\n", support::printable(path), size, seconds);
 }
 
 }  // namespace vndf::tools

@@ -98,7 +98,8 @@ std::string remark(const CheckResult& f) {
 }
 
 std::string describe(const Verdict& verdict) {
-  std::string text = fmt::format("{}: {}\n", verdict.sampler, verdict.passed() ? "pass" : "FAIL");
+  std::string text = fmt::format("{}: {}\n", support::printable(verdict.sampler),
+                                 verdict.passed() ? "pass" : "FAIL");
   for (const CheckResult& f : verdict.results) text += row(f);
   text += skipped_rows(verdict.skipped);
   for (const Resolution& r : verdict.resolutions) text += fmt::format("  {}\n", resolution_text(r));

@@ -32,6 +32,36 @@ bool is_part(std::string_view part, std::string_view name) {
   return part.size() >= 3 && name.find(part) != std::string_view::npos;
 }
 
+/// How many bytes the first character of `text` takes in UTF-8 (RFC 3629), or 0 if there is none
+/// that can be shown: a control character, an overlong form, a surrogate or another wrong byte.
+std::size_t shown_bytes(std::string_view text) {
+  const auto byte = [&](std::size_t k) {
+    return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u;
+  };
+  const unsigned lead = byte(0);
+  if (lead < 0x80) return lead >= 0x20 && lead != 0x7f ? 1 : 0;
+  const std::size_t length = lead < 0xc2   ? 0
+                             : lead < 0xe0 ? 2
+                             : lead < 0xf0 ? 3
+                             : lead < 0xf5 ? 4
+                                           : 0;
+  for (std::size_t k = 1; k < length; ++k)
+    if ((byte(k) & 0xc0u) != 0x80u) return 0;
+  // The second byte has a narrower range after these first ones. After C2 it would be a control.
+  const unsigned second = byte(1);
+  const bool wrong = (lead == 0xc2 && second < 0xa0) || (lead == 0xe0 && second < 0xa0) ||
+                     (lead == 0xed && second >= 0xa0) || (lead == 0xf0 && second < 0x90) ||
+                     (lead == 0xf4 && second >= 0x90);
+  return wrong ? 0 : length;
+}
+
+std::string escaped(char c) {
+  if (c == '\n') return "\\n";
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  const auto byte = static_cast<unsigned char>(c);
+  return {'\\', 'x', kDigits[byte >> 4], kDigits[byte & 15]};
+}
+
 }  // namespace
 
 std::string number_text(double value) {
@@ -64,6 +94,18 @@ std::string quoted(std::string_view text, std::size_t position) {
   std::string shown = first > 0 ? "'..." : "'";
   for (const char c : text.substr(first, kMost)) shown += c >= ' ' && c <= '~' ? c : '?';
   return shown + (first < last ? "...'" : "'");
+}
+
+std::string printable(std::string_view text, std::size_t most) {
+  std::string shown;
+  while (!text.empty()) {
+    const std::size_t length = shown_bytes(text);
+    const std::string next = length > 0 ? std::string(text.substr(0, length)) : escaped(text[0]);
+    if (next.size() > most - shown.size()) return shown + "...";
+    shown += next;
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return shown;
 }
 
 std::string listed(const std::vector<std::string>& items) {

@@ -25,6 +25,12 @@ std::string rounded_text(double value);
 /// may hold any bytes and a terminal may act on some.
 std::string quoted(std::string_view text, std::size_t position = 0);
 
+/// `text` as a terminal may show it on one line: control characters of ASCII and of C1, DEL and
+/// bytes that are not UTF-8 become `\xNN`, and the line end `\n`. A result of more than `most`
+/// bytes is cut there, and "..." follows. It is for names and messages that come from files and
+/// arguments, because some of these bytes make a terminal act.
+std::string printable(std::string_view text, std::size_t most = std::string_view::npos);
+
 /// "a, b, c".
 std::string listed(const std::vector<std::string>& items);
 
