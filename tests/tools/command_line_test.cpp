@@ -354,7 +354,7 @@ TEST_CASE("a file says which distribution it holds and how it was made, whatever
        "ndf:'cos(theta)^(2/alpha^2-2)' frozen-at:0.3"}};
   for (const auto& [source, specification] : sources) {
     CAPTURE(source);
-    REQUIRE(folder.run("build " + source + " -o a.h5 --size 24 --quiet").error.empty());
+    REQUIRE(folder.run("build " + source + " -o a.h5 --size 24 --quiet").status == 0);
     const auto info = nlohmann::json::parse(folder.run("info a.h5 --json").out);
     CHECK(info.at("specification") == specification);
     CHECK_THAT(info.at("command").get<std::string>(), contains(" -o a.h5 --size 24"));
@@ -459,9 +459,9 @@ TEST_CASE("a profile with the marks and line ends of other systems is the same p
     marked += line + "\r\n";
   }
   std::ofstream(folder / "p.csv", std::ios::binary) << plain;
-  REQUIRE(folder.run("build --profile p.csv -o a.exr --size 16 --quiet").error.empty());
+  REQUIRE(folder.run("build --profile p.csv -o a.exr --size 16 --quiet").status == 0);
   std::ofstream(folder / "p.csv", std::ios::binary) << marked;
-  REQUIRE(folder.run("build --profile p.csv -o b.exr --size 16 --quiet").error.empty());
+  REQUIRE(folder.run("build --profile p.csv -o b.exr --size 16 --quiet").status == 0);
   const std::string sample = " --wi 0.6,0,0.8 --alpha 1 -n 50";
   CHECK(folder.run("sample a.exr" + sample).out == folder.run("sample b.exr" + sample).out);
 }
@@ -556,6 +556,12 @@ TEST_CASE("options that do not go together are wrong usage") {
   check_failure(folder.run("build --profile p.csv --ignore-asymmetry -o a.h5"), 2,
                 "--ignore-asymmetry: goes with --normal-map");
   check_failure(folder.run("build ggx --json --quiet -o a.h5"), 2, "--quiet");
+  check_failure(folder.run("check r.csv --against ggx --inverse no --u-error 1e-3"), 2,
+                "--u-error: bounds the map");
+  check_failure(folder.run("check r.csv --against ggx --force"), 2, "--json");
+  check_failure(folder.run("validate ggx-caps --force"), 2, "--json");
+  check_failure(folder.run("experiment variance --distribution ggx --light smooth --lamp 1,2"), 2,
+                "--lamp: places the lamp");
 }
 
 TEST_CASE("the variance experiment tells the gain of visible normals, from a name or from a file") {

@@ -22,7 +22,7 @@ struct Arguments {
   std::string input, output;
   BakeArguments baking;
   unsigned threads = 0;
-  bool json = false, quiet = false;
+  bool json = false, quiet = false, force = false;
 };
 
 /// Bakes with a certificate that is measured against the distribution. Where that cannot be made
@@ -52,7 +52,7 @@ void bake_file(const Arguments& a, const std::string& command_line) {
   const auto start = std::chrono::steady_clock::now();
   if (!names_baked_tables(a.output))
     throw std::runtime_error(a.output + ": baked tables are written to a .vndf file; give one");
-  require_output(a.output, {a.input});
+  require_output(a.output, {a.input}, a.force);
   const KernelTables tables = baked(load_pair(a.input), a, command_line);
   save(a.output, tables);
 
@@ -76,6 +76,7 @@ void add_bake(CLI::App& app, const std::string& command_line) {
   command->add_option("input", arguments->input, "Table file to read: .h5 or .exr")->required();
   command->add_option("-o,--output", arguments->output, "File to write: .vndf")->required();
   add_bake_options(*command, arguments->baking);
+  add_force(*command, arguments->force);
   add_threads(*command, arguments->threads);
   auto* json = command->add_flag("--json", arguments->json, "Print the report as one JSON object");
   command->add_flag("--quiet", arguments->quiet, "Print nothing but warnings")->excludes(json);

@@ -21,7 +21,7 @@ struct BenchArguments {
   std::vector<std::string> files, only, distributions = bench::kUsualDistributions;
   int repetitions = bench::CollectOptions().repetitions;
   std::string json, plot;
-  bool quick = false;
+  bool quick = false, force = false;
 };
 
 /// What --quick leaves: enough to see that everything runs, too little to trust a figure.
@@ -36,7 +36,7 @@ void run_bench(const BenchArguments& arguments) {
   // A name that cannot be written to is refused before any work.
   const std::string terminal = arguments.plot.empty() ? "" : terminal_for(arguments.plot);
   for (const std::string& name : {arguments.json, arguments.plot})
-    if (!name.empty()) require_output(name);
+    if (!name.empty()) require_output(name, arguments.files, arguments.force);
   bench::CaseOptions cases{.distributions = arguments.distributions, .files = arguments.files};
   bench::SpeedOptions speed;
   speed.program = kProgram;
@@ -74,6 +74,7 @@ void add_bench(CLI::App& app) {
   command->add_option("--json", arguments->json, "Write all figures to this file");
   command->add_option("--plot", arguments->plot,
                       "Draw speed against size: .svg or .png (needs gnuplot)");
+  add_force(*command, arguments->force);
   command->add_flag("--quick", arguments->quick,
                     "Few sizes, short timings: to see that it runs, not for figures");
   command->callback([arguments, command] {

@@ -32,7 +32,7 @@ struct BuildArguments {
   BakeArguments baking;
   std::string output, size = "1024", precision = "single";
   unsigned threads = 0;
-  bool json = false, quiet = false, list = false;
+  bool json = false, quiet = false, list = false, force = false;
 };
 
 bool parse_number(std::string_view text, std::size_t& number) {
@@ -118,7 +118,8 @@ void build(const BuildArguments& arguments, const std::string& command_line) {
   // A file that cannot be written is refused before any work.
   if (!names_baked_tables(arguments.output)) io::format_for(arguments.output);
   require_baked_output(arguments.baking, arguments.output);
-  require_output(arguments.output, {arguments.source.profile, arguments.source.map});
+  require_output(arguments.output, {arguments.source.profile, arguments.source.map},
+                 arguments.force);
   const auto source = source_of(arguments.source);
   const auto distribution = make_distribution(source);
   Size size{};
@@ -164,6 +165,7 @@ void add_build(CLI::App& app, const std::string& command_line) {
       ->check(CLI::IsMember({"single", "double"}))
       ->capture_default_str();
   add_bake_options(*command, arguments->baking);
+  add_force(*command, arguments->force);
   add_threads(*command, arguments->threads);
   auto* json = command->add_flag("--json", arguments->json, "Print the report as one JSON object");
   command->add_flag("--quiet", arguments->quiet, "Print nothing but warnings")->excludes(json);

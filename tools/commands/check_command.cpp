@@ -30,6 +30,7 @@ struct CheckArguments {
   std::string records, against, normals = "visible", inverse = "detect", json;
   double u_error = RecordOptions{}.u_error;
   unsigned threads = 0;
+  bool force = false;
 };
 
 SampledNormals normals_of(const std::string& name) {
@@ -77,7 +78,7 @@ validate::Verdict check(const CheckArguments& a) {
 
 /// Checks the records and shows the verdict; true if they are accepted.
 bool check_and_report(const CheckArguments& a) {
-  if (!a.json.empty()) require_output(a.json, {a.records, a.against});
+  if (!a.json.empty()) require_output(a.json, {a.records, a.against}, a.force);
   const auto verdict = check(a);
   std::cout << describe(verdict) << conclusion(verdict);
   if (!a.json.empty()) {
@@ -113,8 +114,12 @@ void add_check(CLI::App& app) {
       ->check(positive_number())
       ->capture_default_str();
   add_threads(*command, a->threads);
-  command->add_option("--json", a->json, "Write the verdict to this file too");
-  command->callback([a] {
+  auto* json = command->add_option("--json", a->json, "Write the verdict to this file too");
+  add_force(*command, a->force);
+  command->get_option("--force")->needs(json);
+  command->callback([a, command] {
+    if (a->inverse == "no" && command->count("--u-error") > 0)
+      throw CLI::ValidationError("--u-error", "bounds the map, which --inverse no does not check");
     bool accepted = false;
     try {
       accepted = check_and_report(*a);

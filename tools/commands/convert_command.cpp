@@ -27,9 +27,9 @@ void save_baked(const std::string& input, const KernelTables& tables, const std:
   save(output, tables);
 }
 
-void convert(const std::string& input, const std::string& output) {
+void convert(const std::string& input, const std::string& output, bool force) {
   if (!names_baked_tables(output)) io::format_for(output);
-  require_output(output);
+  require_output(output, {input}, force);
   const AnyTables tables = load_tables(input);
   if (const auto* pair = std::get_if<io::TableFile>(&tables))
     save_pair(input, *pair, output);
@@ -42,6 +42,7 @@ void convert(const std::string& input, const std::string& output) {
 void add_convert(CLI::App& app) {
   struct Arguments {
     std::string input, output;
+    bool force = false;
   };
   auto* command = app.add_subcommand("convert", "Copy tables to another format, bit for bit");
   const auto arguments = std::make_shared<Arguments>();
@@ -50,7 +51,9 @@ void add_convert(CLI::App& app) {
       ->add_option("output", arguments->output,
                    "Table file to write: .h5 or .exr, or .vndf from .vndf")
       ->required();
-  command->callback([arguments] { convert(arguments->input, arguments->output); });
+  add_force(*command, arguments->force);
+  command->callback(
+      [arguments] { convert(arguments->input, arguments->output, arguments->force); });
 }
 
 }  // namespace vndf::tools

@@ -151,6 +151,7 @@ void print(const VarianceArguments& a, const std::string& distribution,
 
 void variance(const VarianceArguments& a) {
   const auto lights = lights_of(a);  // refused before any work
+  validate::require_valid(options_of(a));
   const auto tables = tables_of(a);
   const auto estimators = validate::named_estimators(tables);
   std::vector<std::vector<EstimatorResult>> results;
@@ -207,7 +208,9 @@ void add_experiment(CLI::App& app) {
       ->capture_default_str();
   add_threads(*command, a->threads);
   command->add_flag("--json", a->json, "Print one JSON object");
-  command->callback([a] {
+  command->callback([a, command] {
+    if (a->light == "smooth" && command->count("--lamp") > 0)
+      throw CLI::ValidationError("--lamp", "places the lamp, which --light smooth leaves out");
     if (a->distribution.empty() && a->tables.empty())
       throw CLI::RequiredError("--distribution or --tables");
     variance(*a);

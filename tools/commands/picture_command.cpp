@@ -19,6 +19,7 @@ namespace {
 
 struct PictureArguments {
   std::string file, output;
+  bool force = false;
 };
 
 /// Tick marks: what is written at which coordinate.
@@ -117,9 +118,10 @@ void add_picture(CLI::App& app) {
   command->add_option("file", arguments->file, "Table file")->required();
   command->add_option("-o,--output", arguments->output, "Picture to write: .png or .svg")
       ->required();
+  add_force(*command, arguments->force);
   command->callback([arguments] {
     const std::string terminal = terminal_for(arguments->output);
-    require_output(arguments->output);
+    require_output(arguments->output, {arguments->file}, arguments->force);
     const io::TableFile file = load_pair(arguments->file);
     draw(arguments->output,
          [&](const std::string& name) { return script(*file.tables, name, terminal); });

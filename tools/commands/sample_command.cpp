@@ -107,13 +107,34 @@ Inputs parse_line(const std::string& line, std::size_t number) {
 
 constexpr std::size_t kChunk = 1 << 16;
 
+/// Bytes of a line of standard input: seven numbers with every digit take less than 200.
+constexpr std::size_t kMostLineBytes = 1000;
+
+/// Reads the next line, line `number` of standard input. Returns false at its end. A line that is
+/// too long is refused before it fills the memory.
+bool next_line(std::string& line, std::size_t number) {
+  line.clear();
+  std::streambuf& input = *std::cin.rdbuf();
+  using Traits = std::char_traits<char>;
+  for (auto c = input.sbumpc(); c != '\n'; c = input.sbumpc()) {
+    if (Traits::eq_int_type(c, Traits::eof())) return !line.empty();
+    if (line.size() == kMostLineBytes)
+      throw std::runtime_error(fmt::format(
+          "standard input, line {}: it is longer than {} bytes; give wx wy wz ax ay u1 u2", number,
+          kMostLineBytes));
+    line += Traits::to_char_type(c);
+  }
+  return true;
+}
+
 template <class T, class Sampler>
 void sample_lines(const Sampler& sampler) {
   const Printer<T, Sampler> printer(sampler);
   fmt::memory_buffer out;
   std::string line;
-  for (std::size_t number = 1; std::getline(std::cin, line); ++number) {
+  for (std::size_t number = 1;; ++number) {
     try {
+      if (!next_line(line, number)) break;
       printer.append(out, parse_line<T>(line, number), ' ');
     } catch (...) {
       flush(out, 1);  // the lines before the refused one are answered

@@ -26,7 +26,7 @@ using validate::Thoroughness;
 
 struct ValidateArguments {
   std::vector<std::string> samplers;
-  bool quick = false, thorough = false, list = false;
+  bool quick = false, thorough = false, list = false, force = false;
   std::optional<std::uint64_t> seed;
   unsigned threads = 0;
   std::string json, report;
@@ -76,7 +76,7 @@ std::uint64_t fresh_seed() {
 
 /// Validates all samplers; true if all pass.
 bool validate_all(const ValidateArguments& a) {
-  if (!a.json.empty()) require_output(a.json, a.samplers);
+  if (!a.json.empty()) require_output(a.json, a.samplers, a.force);
   SharedSlopes shared;
   std::vector<SamplerUnderTest> samplers;  // wrong names are told before any work
   for (const std::string& argument : a.samplers) samplers.push_back(sampler_of(argument, shared));
@@ -119,7 +119,9 @@ void add_validate(CLI::App& app) {
   command->add_option("--seed", a->seed, "Seed of the random numbers; a fresh one where not given")
       ->check(whole_number());
   add_threads(*command, a->threads);
-  command->add_option("--json", a->json, "Write the verdicts to this file too");
+  auto* json = command->add_option("--json", a->json, "Write the verdicts to this file too");
+  add_force(*command, a->force);
+  command->get_option("--force")->needs(json);
   command->add_option("--report", a->report,
                       "Write a page with pictures and their data to this folder (needs gnuplot)");
   command->add_flag("--list", a->list, "List the reference samplers and stop");

@@ -31,6 +31,17 @@ bool run_gnuplot(const std::string& script) {
   return written && drawn;
 }
 
+/// Puts the mark of vndf into a drawn picture. The last 12 bytes of a PNG file are its chunk IEND.
+void mark(const std::string& picture) {
+  constexpr std::size_t kLastChunk = 12;
+  std::string bytes = io::read_file(picture);
+  if (!bytes.starts_with("\x89PNG"))
+    bytes += kSvgMark;
+  else if (bytes.size() > kLastChunk)
+    bytes.insert(bytes.size() - kLastChunk, kPngMark);
+  io::replace_file(picture, bytes);
+}
+
 }  // namespace
 
 std::string terminal_for(const std::string& output) {
@@ -48,6 +59,7 @@ void draw(const std::string& output,
   const std::string drawn = output + "." + std::to_string(getpid()) + ".tmp";
   const bool done = run_gnuplot(script_for(drawn));
   std::error_code error;
+  if (done) mark(drawn);
   if (done) fs::rename(drawn, output, error);
   if (done && !error) return;
   fs::remove(drawn, error);

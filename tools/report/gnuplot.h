@@ -4,8 +4,15 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 
 namespace vndf::tools {
+
+/// What draw() leaves in a picture, so that vndf knows later that it may replace the file: a
+/// comment at the end of SVG, and in PNG a chunk tEXt with its length and CRC (PNG
+/// specification, 11.3.4).
+inline constexpr std::string_view kSvgMark = "<!-- Drawn by vndf -->\n";
+inline constexpr std::string_view kPngMark{"\0\0\0\x0dtEXtSoftware\0vndf\x93\xf2\xd4\x2f", 25};
 
 /// The terminal of gnuplot for the name of a picture. Throws std::runtime_error unless it ends in
 /// .png or .svg and holds nothing that ends a quoted name in a script.

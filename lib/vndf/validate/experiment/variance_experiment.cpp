@@ -14,19 +14,6 @@ bool positive(double x) {
   return x > 0 && std::isfinite(x);
 }
 
-void require_valid(const VarianceOptions& options) {
-  if (!(options.theta >= 0 && options.theta <= 90))
-    throw std::invalid_argument("variance experiment: theta must be in [0, 90] degrees");
-  if (!std::isfinite(options.azimuth))
-    throw std::invalid_argument("variance experiment: the azimuth must be finite");
-  if (!positive(options.alpha.x) || !positive(options.alpha.y))
-    throw std::invalid_argument("variance experiment: alpha must be > 0 and finite");
-  if (!positive(options.metal.eta) || !(options.metal.k >= 0 && std::isfinite(options.metal.k)))
-    throw std::invalid_argument("variance experiment: the metal needs eta > 0 and k >= 0");
-  if (options.samples == 0)
-    throw std::invalid_argument("variance experiment: the number of samples must be > 0");
-}
-
 /// Blocks are run in groups, so that what is kept does not grow with the number of samples.
 constexpr std::uint64_t kGroups = 256;
 
@@ -91,6 +78,19 @@ Vec3<double> incident_direction(const VarianceOptions& options) {
   // The sine of the elevation, so that 90 degrees is the horizon itself.
   return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
           std::sin((90 - options.theta) * kDegree)};
+}
+
+void require_valid(const VarianceOptions& options) {
+  if (!(options.theta >= 0 && options.theta <= 90))
+    throw std::invalid_argument("variance experiment: theta must be in [0, 90] degrees");
+  if (!std::isfinite(options.azimuth))
+    throw std::invalid_argument("variance experiment: the azimuth must be finite");
+  if (!positive(options.alpha.x) || !positive(options.alpha.y))
+    throw std::invalid_argument("variance experiment: alpha must be > 0 and finite");
+  if (!positive(options.metal.eta) || !(options.metal.k >= 0 && std::isfinite(options.metal.k)))
+    throw std::invalid_argument("variance experiment: the metal needs eta > 0 and k >= 0");
+  if (options.samples == 0)
+    throw std::invalid_argument("variance experiment: the number of samples must be > 0");
 }
 
 std::vector<EstimatorResult> run_variance_experiment(const std::vector<Estimator>& estimators,

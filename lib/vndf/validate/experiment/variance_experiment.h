@@ -134,8 +134,11 @@ struct EstimatorResult {
   }
 };
 
-/// Runs every estimator. Throws std::invalid_argument, naming the input and the rule, for theta
-/// outside [0, 90], alpha or metal that are not positive and finite, or no samples.
+/// Throws std::invalid_argument, naming the input and the rule, for theta outside [0, 90], alpha or
+/// metal that are not positive and finite, or no samples.
+void require_valid(const VarianceOptions& options);
+
+/// Runs every estimator. Throws as require_valid() does.
 std::vector<EstimatorResult> run_variance_experiment(const std::vector<Estimator>& estimators,
                                                      const VarianceOptions& options);
 
