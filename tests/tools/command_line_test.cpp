@@ -81,7 +81,7 @@ TEST_CASE("build --json prints one object with sizes, seconds, bytes and the cer
 
 TEST_CASE("build --quiet prints nothing") {
   const Folder folder;
-  const Result r = folder.run("build ggx -o ggx.h5 --size 16 --quiet");
+  const Result r = folder.run("build ggx -o ggx.h5 --size 64 --quiet");
   CHECK(r.status == 0);
   CHECK(r.out.empty());
   CHECK(r.error.empty());
@@ -336,7 +336,7 @@ TEST_CASE("build --list names every family with its parameters") {
   for (const char* name : {"beckmann", "ggx", "student-t", "exponential-power", "hyper-cauchy", "k",
                            "disk", "pearson-ii", "annulus", "blinn-phong", "mixture"})
     CHECK_THAT(r.out, contains(name));
-  CHECK_THAT(r.out, contains("gamma=2.5 (> 3/2)"));
+  CHECK_THAT(r.out, contains("gamma=2.5 (1.55 to 1e+06)"));
 }
 
 TEST_CASE("a file says which distribution it holds and how it was made, whatever the kind") {
