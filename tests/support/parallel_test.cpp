@@ -8,6 +8,8 @@
 #include "support/catch.h"
 
 using vndf::support::parallel_for;
+using vndf::support::part_of;
+using vndf::support::Workers;
 
 TEST_CASE("every piece is done once") {
   std::vector<std::atomic<int>> done(1000);
@@ -35,6 +37,21 @@ TEST_CASE("an exception of a piece reaches the caller and ends the work") {
 
 TEST_CASE("progress counts to the number of pieces") {
   std::size_t last = 0;
-  parallel_for(100, {3, [&](std::size_t d) { last = d; }}, [](std::size_t) {});
+  const auto progress = [&](std::size_t done, std::size_t count) {
+    CHECK(count == 100);
+    CHECK(done == ++last);
+  };
+  parallel_for(100, {3, progress}, [](std::size_t) {});
   CHECK(last == 100);
+}
+
+TEST_CASE("the parts of some work have one progress") {
+  std::vector<double> fractions;
+  const Workers whole{1, [&](std::size_t done, std::size_t count) {
+                        fractions.push_back(static_cast<double>(done) / static_cast<double>(count));
+                      }};
+  parallel_for(2, part_of(whole, 0, 2), [](std::size_t) {});
+  parallel_for(1, part_of(whole, 1, 2), [](std::size_t) {});
+  CHECK(fractions == std::vector<double>{0.25, 0.5, 1});
+  CHECK(!part_of({4}, 1, 2).progress);
 }

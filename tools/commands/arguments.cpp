@@ -41,6 +41,11 @@ CLI::Validator positive_number() {
   return {rule, ""};
 }
 
+void exclude_others(CLI::App& command, CLI::Option* flag) {
+  for (CLI::Option* option : command.get_options())
+    if (option != flag && option != command.get_help_ptr()) flag->excludes(option);
+}
+
 void add_threads(CLI::App& command, unsigned& threads) {
   command.add_option("--threads", threads, "Threads; 0 for one per processor")
       ->check(whole_number(0, kMostThreads))

@@ -15,6 +15,10 @@ CLI::Validator whole_number(std::uint64_t lowest = 0, std::uint64_t highest = UI
 /// A finite number > 0.
 CLI::Validator positive_number();
 
+/// Makes `flag` exclude every other option of the command but --help: one that would be ignored
+/// beside it is wrong usage.
+void exclude_others(CLI::App& command, CLI::Option* flag);
+
 /// Adds --threads.
 void add_threads(CLI::App& command, unsigned& threads);
 

@@ -11,6 +11,7 @@
 #include "commands/commands.h"
 #include "commands/messages.h"
 #include "commands/output_file.h"
+#include "commands/progress.h"
 #include "commands/table_files.h"
 #include "report/report.h"
 #include "vndf/precompute/bake_certified.h"
@@ -43,7 +44,9 @@ KernelTables baked(const io::TableFile& pair, const Arguments& a, const std::str
     text.provenance.notes += note + "\n";
     return precompute::bake_uncertified(*pair.tables, pair.certificate, options, text);
   }
-  const support::Workers workers{a.threads};
+  Progress progress(!a.quiet);
+  progress.begin("baking");
+  const support::Workers workers = progress.workers(a.threads);
   return precompute::bake_certified(precompute::UnitSlopes(*distribution, workers), *pair.tables,
                                     options, text, workers);
 }

@@ -1,6 +1,4 @@
 // vndf bench: the speed of every sampler beside its errors, in one run.
-#include <unistd.h>
-
 #include <iostream>
 #include <memory>
 #include <string>
@@ -9,6 +7,7 @@
 #include "commands/arguments.h"
 #include "commands/commands.h"
 #include "commands/output_file.h"
+#include "commands/progress.h"
 #include "report/gnuplot.h"
 #include "vndf/bench/cases.h"
 #include "vndf/bench/speed_plot.h"
@@ -41,12 +40,13 @@ void run_bench(const BenchArguments& arguments) {
   bench::SpeedOptions speed;
   speed.program = kProgram;
   speed.collect.repetitions = arguments.repetitions;
-  if (isatty(STDERR_FILENO) != 0)
-    speed.collect.progress = [](const std::string& what) { std::cerr << what << '\n'; };
+  Progress progress;
+  speed.collect.progress = [&](const std::string& what) { progress.begin(what); };
   if (arguments.quick) make_quick(cases, speed);
 
   const auto report =
       bench::measure_speed(bench::chosen(bench::all_cases(cases), arguments.only), speed);
+  progress.erase();
   std::cout << bench::describe(report);
   if (!arguments.json.empty()) write_json(arguments.json, bench::to_json(report));
   if (!terminal.empty())

@@ -1,6 +1,5 @@
 // vndf build: a distribution becomes a table file with its certificate.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <charconv>
 #include <chrono>
@@ -15,6 +14,7 @@
 #include "commands/distribution_source.h"
 #include "commands/messages.h"
 #include "commands/output_file.h"
+#include "commands/progress.h"
 #include "commands/table_files.h"
 #include "report/report.h"
 #include "vndf/precompute/bake_certified.h"
@@ -59,22 +59,6 @@ std::string size_rule(const std::string& text) {
   return parse_size(text, size) ? "" : "'" + text + "' is not a size: give N or NTHETAxNU";
 }
 
-/// A bar on standard error, drawn only where a person sees it.
-std::function<void(double)> progress_bar(const BuildArguments& arguments) {
-  if (arguments.quiet || isatty(STDERR_FILENO) == 0) return {};
-  return [last = -1](double fraction) mutable {
-    constexpr int kWidth = 40;
-    const int full = static_cast<int>(fraction * kWidth);
-    if (full == last) return;
-    last = full;
-    std::cerr << fmt::format("\r[{:<{}}] {:3.0f} %",
-                             std::string(static_cast<std::size_t>(full), '#'), kWidth,
-                             100 * fraction);
-    if (full == kWidth) std::cerr << '\n';
-    std::cerr.flush();
-  };
-}
-
 /// Tables are written whatever they err by, but not in silence.
 void warn_of_errors(const Certificate& certificate) {
   constexpr double kLarge = 1e-3;
@@ -91,10 +75,11 @@ void warn_of_errors(const Certificate& certificate) {
 /// Returns what is written: the pair, or the tables baked from it.
 AnyTables tables_of(const BuildArguments& arguments, const Provenance& provenance,
                     const distributions::SlopeDistribution& distribution,
-                    const precompute::BuiltTables& built) {
+                    const precompute::BuiltTables& built, Progress& progress) {
   if (!names_baked_tables(arguments.output))
     return io::TableFile{built.tables, provenance, built.certificate};
-  const support::Workers workers{arguments.threads};
+  progress.begin("baking");
+  const support::Workers workers = progress.workers(arguments.threads);
   return precompute::bake_certified(precompute::UnitSlopes(distribution, workers), *built.tables,
                                     options_of(arguments.baking),
                                     {built.tables->distribution, provenance}, workers);
@@ -124,11 +109,14 @@ void build(const BuildArguments& arguments, const std::string& command_line) {
   const auto distribution = make_distribution(source);
   Size size{};
   parse_size(arguments.size, size);
+  Progress progress(!arguments.quiet);
+  progress.begin("building");
   const auto built = precompute::build_tables(
       *distribution, {.layout = {size.rows, size.columns, arguments.precision == "double"},
                       .threads = arguments.threads,
-                      .progress = progress_bar(arguments)});
+                      .progress = [&](double fraction) { progress.show(fraction); }});
   const auto finish = [&](const auto& tables) {
+    progress.erase();
     warn_of_errors(certificate_of(tables));
     save_as(arguments.output, tables);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
@@ -146,7 +134,7 @@ void build(const BuildArguments& arguments, const std::string& command_line) {
     }
   };
   const Provenance provenance{source.specification, command_line, kProgram, source.notes};
-  std::visit(finish, tables_of(arguments, provenance, *distribution, built));
+  std::visit(finish, tables_of(arguments, provenance, *distribution, built, progress));
 }
 
 }  // namespace
@@ -169,7 +157,8 @@ void add_build(CLI::App& app, const std::string& command_line) {
   add_threads(*command, arguments->threads);
   auto* json = command->add_flag("--json", arguments->json, "Print the report as one JSON object");
   command->add_flag("--quiet", arguments->quiet, "Print nothing but warnings")->excludes(json);
-  command->add_flag("--list", arguments->list, "List the named distributions and stop");
+  exclude_others(*command, command->add_flag("--list", arguments->list,
+                                             "List the named distributions and stop"));
   command->callback([arguments, command_line] {
     if (arguments->list) {
       std::cout << list_of_families();

@@ -10,6 +10,7 @@
 #include "commands/commands.h"
 #include "commands/messages.h"
 #include "commands/output_file.h"
+#include "commands/progress.h"
 #include "commands/table_files.h"
 #include "report/verdict_text.h"
 #include "vndf/distributions/specification.h"
@@ -66,12 +67,17 @@ std::string conclusion(const validate::Verdict& verdict) {
 }
 
 validate::Verdict check(const CheckArguments& a) {
+  Progress progress;
+  progress.begin("reading " + a.records);
   const auto exact = against(a.against);
   const auto records = validate::read_records(a.records);
   if (records.list.size() < validate::kFewestRecords)
     throw std::runtime_error(fmt::format("{}: it has {} records; give {} or more, better a million",
                                          a.records, records.list.size(), validate::kFewestRecords));
-  auto verdict = validate_records(records, *exact, options_of(a));
+  RecordOptions options = options_of(a);
+  options.workers = progress.workers(a.threads);
+  progress.begin("checking");
+  auto verdict = validate_records(records, *exact, options);
   verdict.sampler = a.records + " against " + a.against;
   return verdict;
 }

@@ -12,6 +12,7 @@
 #include "commands/arguments.h"
 #include "commands/commands.h"
 #include "commands/output_file.h"
+#include "commands/progress.h"
 #include "commands/table_files.h"
 #include "vndf/distributions/specification.h"
 #include "vndf/precompute/build_tables.h"
@@ -53,7 +54,7 @@ VarianceOptions options_of(const VarianceArguments& a) {
   options.metal = {a.metal[0], a.metal[1]};
   options.samples = static_cast<std::uint64_t>(a.samples);
   options.seed = a.seed;
-  options.threads = a.threads;
+  options.workers = {a.threads};
   return options;
 }
 
@@ -152,14 +153,19 @@ void print(const VarianceArguments& a, const std::string& distribution,
 void variance(const VarianceArguments& a) {
   const auto lights = lights_of(a);  // refused before any work
   validate::require_valid(options_of(a));
+  Progress progress;
+  progress.begin("tables");
   const auto tables = tables_of(a);
   const auto estimators = validate::named_estimators(tables);
   std::vector<std::vector<EstimatorResult>> results;
   for (const auto& light : lights) {
     VarianceOptions options = options_of(a);
     options.light = light;
+    options.workers = progress.workers(a.threads);
+    progress.begin("light: " + light.name);
     results.push_back(validate::run_variance_experiment(estimators, options));
   }
+  progress.erase();
   print(a, tables->distribution, lights, results);
 }
 

@@ -12,6 +12,7 @@
 #include "commands/arguments.h"
 #include "commands/commands.h"
 #include "commands/output_file.h"
+#include "commands/progress.h"
 #include "commands/table_files.h"
 #include "report/validation_report.h"
 #include "report/verdict_text.h"
@@ -84,17 +85,24 @@ bool validate_all(const ValidateArguments& a) {
   const std::uint64_t seed = a.seed.value_or(fresh_seed());
   const auto report = report_of(a, seed);  // what hinders it is told before any work, too
   std::cout << fmt::format("seed {}\n", seed);
-  const validate::ValidationOptions options{.thoroughness = thoroughness(a),
-                                            .seed = seed,
-                                            .samplers = samplers.size(),
-                                            .workers = {a.threads}};
+  Progress progress;
+  validate::ValidationOptions options{.thoroughness = thoroughness(a),
+                                      .seed = seed,
+                                      .samplers = samplers.size(),
+                                      .workers = progress.workers(a.threads)};
   bool passed = true;
   auto verdicts = nlohmann::ordered_json::array();
   for (const SamplerUnderTest& sampler : samplers) {
+    options.begin = [&](const std::string& check) { progress.begin(sampler.name + ": " + check); };
     const auto verdict = validate::validate_sampler(sampler, options);
+    progress.erase();
     std::cout << describe(verdict) << std::flush;
     verdicts.push_back(to_json(verdict));
-    if (report) report->add(sampler, verdict, options.workers);
+    if (report) {
+      progress.begin(sampler.name + ": pictures");
+      report->add(sampler, verdict, options.workers);
+      progress.erase();
+    }
     passed = passed && verdict.passed();
   }
   if (!a.json.empty())
@@ -124,7 +132,8 @@ void add_validate(CLI::App& app) {
   command->get_option("--force")->needs(json);
   command->add_option("--report", a->report,
                       "Write a page with pictures and their data to this folder (needs gnuplot)");
-  command->add_flag("--list", a->list, "List the reference samplers and stop");
+  exclude_others(*command,
+                 command->add_flag("--list", a->list, "List the reference samplers and stop"));
   command->callback([a] {
     if (a->list) {
       for (const auto& s : validate::named_samplers())

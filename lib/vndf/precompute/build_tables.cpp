@@ -77,14 +77,12 @@ void require_size(const TableLayout& layout) {
                                 std::to_string(layout.columns) + ": from 2x5 to 8192x8192");
 }
 
-/// Returns workers that report rows as a part of the work of both tables, of which `before` rows
-/// are done.
-support::Workers reporting(const BuildOptions& options, std::size_t before) {
+/// Workers that tell the caller of build_tables() which fraction of the rows is done.
+support::Workers reporting(const BuildOptions& options) {
   support::Workers workers{options.threads};
   if (options.progress)
-    workers.progress = [&options, before](std::size_t done) {
-      const double rows = 2 * static_cast<double>(options.layout.rows);
-      options.progress(static_cast<double>(before + done) / rows);
+    workers.progress = [&options](std::size_t done, std::size_t count) {
+      options.progress(static_cast<double>(done) / static_cast<double>(count));
     };
   return workers;
 }
@@ -122,8 +120,9 @@ BuiltTables build_tables(const distributions::SlopeDistribution& distribution,
                      .support = slopes.support(),
                      .log_ndf = ndf_curve(slopes, workers),
                      .log_backfacing = backfacing_curve(slopes, workers)};
-  set_marginal(tables, slopes, options.layout, reporting(options, 0));
-  set_conditional(tables, slopes, options.layout, reporting(options, options.layout.rows));
+  const support::Workers rows = reporting(options);
+  set_marginal(tables, slopes, options.layout, part_of(rows, 0, 2));
+  set_conditional(tables, slopes, options.layout, part_of(rows, 1, 2));
   if (options.progress) options.progress(1);
 
   const auto shared = share(std::move(tables));

@@ -10,6 +10,14 @@
 
 namespace vndf::support {
 
+Workers part_of(const Workers& workers, std::size_t index, std::size_t parts) {
+  if (!workers.progress) return workers;
+  return {workers.threads,
+          [progress = workers.progress, index, parts](std::size_t done, std::size_t count) {
+            progress(index * count + done, parts * count);
+          }};
+}
+
 void parallel_for(std::size_t count, const Workers& workers,
                   const std::function<void(std::size_t)>& piece) {
   std::atomic<std::size_t> next{0};
@@ -23,7 +31,7 @@ void parallel_for(std::size_t count, const Workers& workers,
         piece(i);
         const std::lock_guard lock(mutex);
         ++done;
-        if (workers.progress) workers.progress(done);
+        if (workers.progress) workers.progress(done, count);
       } catch (...) {
         const std::lock_guard lock(mutex);
         if (!failure) failure = std::current_exception();

@@ -11,9 +11,14 @@ namespace vndf::support {
 struct Workers {
   /// Threads to run; 0 means one for each processor.
   unsigned threads = 0;
-  /// Called with the number of finished pieces after each, from one thread at a time; may be empty.
-  std::function<void(std::size_t done)> progress = {};
+  /// Called with the numbers of finished and of all pieces after each piece, from one thread at a
+  /// time; may be empty.
+  std::function<void(std::size_t done, std::size_t count)> progress = {};
 };
+
+/// Returns workers that report their pieces as those of part `index` of `parts`, which take equally
+/// long. So work that is done part by part has one progress.
+Workers part_of(const Workers& workers, std::size_t index, std::size_t parts);
 
 /// Calls `piece(i)` once for every i in [0, count). If pieces throw, the first exception caught is
 /// rethrown after all threads have stopped; pieces not yet begun are skipped.

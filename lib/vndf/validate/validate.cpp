@@ -139,6 +139,7 @@ Verdict validate_sampler(const SamplerUnderTest& sampler, const ValidationOption
       verdict.skipped.push_back({check.name, "", reason});
       continue;
     }
+    if (options.begin) options.begin(check.name);
     const auto results = check.make();
     verdict.results.insert(verdict.results.end(), results.begin(), results.end());
     stopped = options.stop_at_first_failure && !all_passed(results);

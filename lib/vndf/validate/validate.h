@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,8 @@ struct ValidationOptions {
   std::size_t samplers = 1;
   /// Results do not depend on the number of threads.
   support::Workers workers = {};
+  /// Called with the name of each check before it is made; may be empty.
+  std::function<void(const std::string& check)> begin = {};
 };
 
 /// The errors that samples which were counted together can show.

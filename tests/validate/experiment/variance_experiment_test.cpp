@@ -224,9 +224,9 @@ TEST_CASE("a biased estimator is noticed") {
 
 TEST_CASE("results depend on the seed, not on the number of threads") {
   auto options = options_at(70, {0.3, 0.5}, lamp_environment());
-  options.threads = 1;
+  options.workers.threads = 1;
   const auto one = run_variance_experiment(ggx_estimators(), options);
-  options.threads = 3;
+  options.workers.threads = 3;
   const auto three = run_variance_experiment(ggx_estimators(), options);
   options.seed = 2;
   const auto other = run_variance_experiment(ggx_estimators(), options);

@@ -36,7 +36,8 @@ UniformCounts count(const SamplerUnderTest& sampler, const Configuration& c, std
   UniformCounts all(bins);
   std::mutex mutex;  // guards `all`
   const std::uint64_t blocks = (options.samples + kBlock - 1) / kBlock;
-  support::parallel_for(blocks, options.workers, [&](std::size_t block) {
+  const auto workers = part_of(options.workers, index, check_configurations().size());
+  support::parallel_for(blocks, workers, [&](std::size_t block) {
     UniformCounts counts(bins);
     count_block(sampler, c, distribution, BlockRandom(options.seed, index, block),
                 std::min(kBlock, options.samples - block * kBlock), counts);

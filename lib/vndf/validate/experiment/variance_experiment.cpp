@@ -22,7 +22,7 @@ std::vector<Tally> run_all(const std::vector<Estimator>& estimators,
   const std::uint64_t blocks = (options.samples - 1) / kBlockSamples + 1;
   const std::uint64_t groups = std::min(blocks, kGroups);
   std::vector<Tally> tallies(estimators.size() * groups);
-  support::parallel_for(tallies.size(), {options.threads}, [&](std::size_t piece) {
+  support::parallel_for(tallies.size(), options.workers, [&](std::size_t piece) {
     const std::uint64_t estimator = piece / groups, group = piece % groups;
     for (std::uint64_t b = group * blocks / groups; b < (group + 1) * blocks / groups; ++b)
       tallies[piece].merge(

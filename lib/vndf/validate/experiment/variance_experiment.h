@@ -13,6 +13,7 @@
 
 #include "vndf/bsdf/conductor_brdf.h"
 #include "vndf/bsdf/normal_sampler.h"
+#include "vndf/support/parallel.h"
 #include "vndf/validate/experiment/environment.h"
 #include "vndf/validate/statistics/block_random.h"
 #include "vndf/validate/statistics/moments.h"
@@ -30,8 +31,7 @@ struct VarianceOptions {
   std::uint64_t samples = 1 << 20;
   /// Results depend on it, and not on the number of threads.
   std::uint64_t seed = 1;
-  /// Number of threads; 0 for one on each processor.
-  unsigned threads = 0;
+  support::Workers workers = {};
 };
 
 /// Pixels of 4^k samples for k from 0 to kLevels - 1, all from the same stream of samples.
