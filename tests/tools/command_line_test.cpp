@@ -556,6 +556,8 @@ TEST_CASE("options that do not go together are wrong usage") {
   check_failure(folder.run("build --profile p.csv --ignore-asymmetry -o a.h5"), 2,
                 "--ignore-asymmetry: goes with --normal-map");
   check_failure(folder.run("build ggx --json --quiet -o a.h5"), 2, "--quiet");
+  check_failure(folder.run("build --list --size 64"), 2, "--size excludes --list");
+  check_failure(folder.run("validate --list --quick"), 2, "--quick excludes --list");
   check_failure(folder.run("check r.csv --against ggx --inverse no --u-error 1e-3"), 2,
                 "--u-error: bounds the map");
   check_failure(folder.run("check r.csv --against ggx --force"), 2, "--json");

@@ -27,7 +27,7 @@ TEST_CASE("long commands show their steps on a terminal and erase them") {
   const std::vector<std::pair<std::string, std::string>> commands{
       {"build beckmann -o a.h5 --size 64", "building"},
       {"bake ggx.h5 -o ggx.vndf --tolerance 1e-3", "baking"},
-      {"experiment variance --tables ggx.h5 --samples 1e6", "light: "},
+      {"experiment variance --tables ggx.h5 --samples 1e6", "sampling: "},
       {"validate ggx-caps --quick", "ggx-caps: distribution ["},
       {"bench --quick --only caps", "round 1 of"}};
   for (const auto& [arguments, step] : commands) {

@@ -162,7 +162,7 @@ void variance(const VarianceArguments& a) {
     VarianceOptions options = options_of(a);
     options.light = light;
     options.workers = progress.workers(a.threads);
-    progress.begin("light: " + light.name);
+    progress.begin("sampling: " + light.name);
     results.push_back(validate::run_variance_experiment(estimators, options));
   }
   progress.erase();

@@ -6,10 +6,14 @@
 
 #include <iostream>
 
+#include "vndf/support/text.h"
+
 namespace vndf::tools {
 namespace {
 
-constexpr std::size_t kWidth = 30;  // of the bar, in characters
+// A line that is wider than the terminal cannot be erased: both fit into one of 80 columns.
+constexpr std::size_t kWidth = 20;      // of the bar, in characters
+constexpr std::size_t kStepBytes = 34;  // of the name of a step
 constexpr std::chrono::milliseconds kPause{100};
 constexpr double kSettled = 1;                // seconds after which the time left can be told
 constexpr const char* kToStart = "\r\x1b[K";  // erases the line of a terminal
@@ -29,9 +33,9 @@ std::string time_left(double fraction, double seconds) {
 Progress::Progress(bool wanted) : drawn_(wanted && isatty(STDERR_FILENO) != 0) {}
 
 void Progress::begin(const std::string& step) {
-  step_ = step;
+  step_ = support::printable(step, kStepBytes);
   began_ = shown_ = Clock::now();
-  draw(step);
+  draw(step_);
 }
 
 void Progress::show(double fraction) {

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <iostream>
 #include <iterator>
@@ -16,6 +15,7 @@
 #include "commands/arguments.h"
 #include "commands/commands.h"
 #include "commands/output_file.h"
+#include "commands/sample_line.h"
 #include "commands/table_files.h"
 #include "vndf/tabulated_sampler.h"
 
@@ -30,32 +30,13 @@ struct SampleArguments {
   bool from_stdin = false, in_double = false;
 };
 
-/// One configuration to sample, in the order of a line of standard input.
-using Inputs = std::array<double, 7>;  // wx wy wz ax ay u1 u2
-
-/// The rule that `v` breaks, or an empty string.
-template <class T>
-std::string broken_rule(const Inputs& v) {
-  constexpr double kUnitSlack = 1e-3;
-  for (const double value : v)
-    if (!std::isfinite(value)) return "every number must be finite";
-  if (std::abs(std::hypot(v[0], v[1], v[2]) - 1) > kUnitSlack) return "wi must have length 1";
-  if (v[2] < 0) return "wi must not be below the horizon (z >= 0)";
-  if (!(v[3] > 0 && v[4] > 0)) return "alpha must be > 0";
-  const auto is_in_range = [](double alpha) { return T(alpha) > 0 && std::isfinite(T(alpha)); };
-  if (!is_in_range(v[3]) || !is_in_range(v[4]))
-    return "alpha is beyond single precision; give --double";
-  if (!(v[5] >= 0 && v[5] <= 1 && v[6] >= 0 && v[6] <= 1)) return "u1 and u2 must be in [0, 1]";
-  return {};
-}
-
 template <class T, class Sampler>
 class Printer {
  public:
   explicit Printer(const Sampler& sampler) : sampler_(sampler) {}
 
   /// Appends "slope_x slope_y mx my mz pdf" with `separator` between.
-  void append(fmt::memory_buffer& out, const Inputs& in, char separator) const {
+  void append(fmt::memory_buffer& out, const SampleInputs& in, char separator) const {
     const auto t = [&](std::size_t i) { return static_cast<T>(in[i]); };
     const Vec3<T> wi{t(0), t(1), t(2)};
     const Alpha<T> alpha{t(3), t(4)};
@@ -82,48 +63,17 @@ void flush(fmt::memory_buffer& out, std::size_t limit) {
   if (!std::cout) require_printed();
 }
 
-template <class T>
-Inputs parse_line(const std::string& line, std::size_t number) {
-  const auto refuse = [&](const std::string& why) {
-    throw std::runtime_error(fmt::format("standard input, line {}: {}", number, why));
-  };
-  Inputs values{};
-  const char* at = line.data();
-  const char* end = at + line.size();
-  const auto skip_blanks = [&] {
-    while (at < end && (*at == ' ' || *at == '\t' || *at == '\r')) ++at;
-  };
-  for (double& value : values) {
-    skip_blanks();
-    const auto [next, error] = std::from_chars(at, end, value);
-    if (error != std::errc()) refuse("expected seven numbers: wx wy wz ax ay u1 u2");
-    at = next;
-  }
-  skip_blanks();
-  if (at != end) refuse("more than the seven numbers wx wy wz ax ay u1 u2");
-  if (const std::string rule = broken_rule<T>(values); !rule.empty()) refuse(rule);
-  return values;
-}
-
 constexpr std::size_t kChunk = 1 << 16;
 
-/// Bytes of a line of standard input: seven numbers with every digit take less than 200.
-constexpr std::size_t kMostLineBytes = 1000;
-
-/// Reads the next line, line `number` of standard input. Returns false at its end. A line that is
-/// too long is refused before it fills the memory.
-bool next_line(std::string& line, std::size_t number) {
-  line.clear();
-  std::streambuf& input = *std::cin.rdbuf();
-  using Traits = std::char_traits<char>;
-  for (auto c = input.sbumpc(); c != '\n'; c = input.sbumpc()) {
-    if (Traits::eq_int_type(c, Traits::eof())) return !line.empty();
-    if (line.size() == kMostLineBytes)
-      throw std::runtime_error(fmt::format(
-          "standard input, line {}: it is longer than {} bytes; give wx wy wz ax ay u1 u2", number,
-          kMostLineBytes));
-    line += Traits::to_char_type(c);
-  }
+/// Answers the next line of standard input. Returns false at its end.
+template <class T, class Sampler>
+bool answer_line(const Printer<T, Sampler>& printer, fmt::memory_buffer& out) {
+  std::string line;
+  if (!next_sample_line(std::cin, line)) return false;
+  const SampleInputs inputs = numbers_of(line);
+  const std::string rule = broken_rule<T>(inputs);
+  if (!rule.empty()) throw std::runtime_error(rule);
+  printer.append(out, inputs, ' ');
   return true;
 }
 
@@ -131,26 +81,22 @@ template <class T, class Sampler>
 void sample_lines(const Sampler& sampler) {
   const Printer<T, Sampler> printer(sampler);
   fmt::memory_buffer out;
-  std::string line;
-  for (std::size_t number = 1;; ++number) {
-    try {
-      if (!next_line(line, number)) break;
-      printer.append(out, parse_line<T>(line, number), ' ');
-    } catch (...) {
-      flush(out, 1);  // the lines before the refused one are answered
-      throw;
-    }
-    flush(out, kChunk);
+  std::size_t number = 1;
+  try {
+    for (; answer_line(printer, out); ++number) flush(out, kChunk);
+  } catch (const std::exception& e) {
+    flush(out, 1);  // the lines before the refused one are answered
+    throw std::runtime_error(fmt::format("standard input, line {}: {}", number, e.what()));
   }
   flush(out, 1);
 }
 
 /// The direction as given, brought to unit length.
 template <class T>
-Inputs from_options(const SampleArguments& a) {
+SampleInputs from_options(const SampleArguments& a) {
   const double length = std::hypot(a.wi[0], a.wi[1], a.wi[2]);
   if (length == 0) throw CLI::ValidationError("--wi", "must not be the zero vector");
-  const Inputs inputs{
+  const SampleInputs inputs{
       a.wi[0] / length, a.wi[1] / length, a.wi[2] / length, a.alpha.front(), a.alpha.back(), 0, 0};
   if (const std::string rule = broken_rule<T>(inputs); !rule.empty())
     throw CLI::ValidationError("--wi, --alpha", rule);
@@ -167,7 +113,7 @@ void sample_random(const Sampler& sampler, const SampleArguments& arguments) {
     return std::ldexp(static_cast<double>(random() >> (64 - kBits)), -kBits);
   };
 
-  Inputs inputs = from_options<T>(arguments);
+  SampleInputs inputs = from_options<T>(arguments);
   fmt::memory_buffer out;
   fmt::format_to(std::back_inserter(out), "u1,u2,slope_x,slope_y,mx,my,mz,pdf\n");
   for (std::size_t i = 0; i < arguments.count; ++i) {
