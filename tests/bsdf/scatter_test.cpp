@@ -200,10 +200,11 @@ TEST_CASE("the Jacobian of refraction is the ratio of areas, both ways and for e
     }
 }
 
-TEST_CASE("an outgoing density is 0 where the map has no inverse") {
+TEST_CASE("an outgoing density is 0 where the map has no inverse, and always finite") {
   CHECK(outgoing_density(2.0, 4.0) == 0.5);
   CHECK(outgoing_density(2.0, 0.0) == 0);
   CHECK(outgoing_density(0.0, 0.0) == 0);
+  CHECK(outgoing_density(1e30f, 1e-30f) == std::numeric_limits<float>::max());
   CHECK(outgoing_density(2.0, std::numeric_limits<double>::infinity()) == 0);
   CHECK(refraction_jacobian(0.5, -0.5, 1.0) == 0);
 }

@@ -43,9 +43,9 @@ std::string about_unknown(const CLI::App& app) {
     return "there is no option " + support::quoted(word) +
            support::did_you_mean(word, options_of(command));
   if (!takes_command) return support::quoted(word) + " is one argument too many";
-  return "there is no command " + support::quoted(word) +
-         support::did_you_mean(word, commands_of(command)) +
-         "; known: " + support::listed(commands_of(command));
+  const std::string nearest = support::did_you_mean(word, commands_of(command));
+  return "there is no command " + support::quoted(word) + nearest +
+         (nearest.empty() ? "; known: " : " Known: ") + support::listed(commands_of(command));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 // is 1 / n of the paper, whose printed root lacks the square of n.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -94,10 +95,12 @@ T refraction_jacobian(T cosine_i, T cosine_o, T eta) noexcept {
 }
 
 /// Density of outgoing directions for a density of normals; 0 where the map between them has no
-/// inverse.
+/// inverse, and the largest number of T where it is beyond that, as for normals that are drawn
+/// unseen and face a horizontal direction under a cosine of 1e-35.
 template <class T>
 T outgoing_density(T normal_density, T jacobian) noexcept {
-  return normal_density > T(0) && jacobian > T(0) ? normal_density / jacobian : T(0);
+  if (!(normal_density > T(0) && jacobian > T(0))) return T(0);
+  return std::min(normal_density / jacobian, std::numeric_limits<T>::max());
 }
 
 }  // namespace vndf
