@@ -227,7 +227,7 @@ TEST_CASE("counts say what each group can show, and which records are in none") 
   const std::vector<Configuration> list{at_angles(10, 0, 0.5, 0.5), at_angles(50, 0, 0.5, 0.5),
                                         at_angles(80, 0, 0.5, 0.5)};
   Records records = draw_records(CapsGgx<float>{}, std::span{list}.first(1), 700, 2);
-  for (const auto& [place, count] : {std::pair{1, 300}, {2, 99}}) {
+  for (const auto& [place, count] : {std::pair<std::size_t, std::size_t>{1, 300}, {2, 99}}) {
     const auto more = draw_records(CapsGgx<float>{}, std::span{list}.subspan(place, 1), count, 3);
     records.list.insert(records.list.end(), more.list.begin(), more.list.end());
   }

@@ -167,13 +167,13 @@ TEST_CASE("the lookup increases along every row, between rows too, however rough
 TEST_CASE("the lookup is continuous across rows and columns") {
   std::mt19937 random(11);
   const auto table = rough_table(random);
-  constexpr double kStep = 1e-9, kSteepest = 40;
+  constexpr double kNear = 1e-9, kMostSlope = 40;
   for (int i = 1; i < 60; ++i)
     for (int j = 1; j < 110; ++j) {
       const double r = i / 60.0, c = j / 110.0;
       const double w = table.lookup(r, c);
-      REQUIRE(std::abs(table.lookup(r + kStep, c) - w) < kSteepest * kStep);
-      REQUIRE(std::abs(table.lookup(r, c + kStep) - w) < kSteepest * kStep);
+      REQUIRE(std::abs(table.lookup(r + kNear, c) - w) < kMostSlope * kNear);
+      REQUIRE(std::abs(table.lookup(r, c + kNear) - w) < kMostSlope * kNear);
     }
 }
 

@@ -25,11 +25,49 @@ struct Header {
   std::uint64_t tile_width = 0, tile_height = 0;  // 0 where there are no tiles
 };
 
+void require_whole(bool whole) {
+  if (!whole)
+    throw FormatError("an attribute of it has another size than it says", "copy it again");
+}
+
 std::size_t count_channels(ByteCursor list) {
   constexpr std::uint64_t kChannelBytes = 16;  // behind the name
   std::size_t count = 0;
   for (; !list.text().empty(); ++count) list.take(kChannelBytes);
+  require_whole(list.left() == 0);
   return count;
+}
+
+struct TypeSize {
+  std::string_view type;
+  std::size_t bytes;
+};
+
+/// The types of attributes whose values have one size.
+constexpr TypeSize kTypeSizes[] = {{"box2f", 16},      {"box2i", 16},    {"chromaticities", 32},
+                                   {"compression", 1}, {"double", 8},    {"deepImageState", 1},
+                                   {"envmap", 1},      {"float", 4},     {"int", 4},
+                                   {"keycode", 28},    {"lineOrder", 1}, {"m33d", 72},
+                                   {"m33f", 36},       {"m44d", 128},    {"m44f", 64},
+                                   {"rational", 8},    {"tiledesc", 9},  {"timecode", 8},
+                                   {"v2d", 16},        {"v2f", 8},       {"v2i", 8},
+                                   {"v3d", 24},        {"v3f", 12},      {"v3i", 12}};
+
+/// Throws FormatError unless OpenEXR, which reads a value as its type says and not as long as the
+/// header says, ends where this reader does. Else the two would see different headers. A preview
+/// and a list of texts say once more how long they are, and OpenEXR allocates that much.
+void check_value(std::string_view type, ByteCursor value) {
+  const auto* fixed = std::ranges::find(kTypeSizes, type, &TypeSize::type);
+  if (fixed != std::end(kTypeSizes)) require_whole(value.left() == fixed->bytes);
+  if (type == "chlist") count_channels(value);
+  if (type == "preview") {
+    const std::uint64_t width = value.number<std::uint32_t>();
+    const std::uint64_t height = value.number<std::uint32_t>();
+    require_whole(width <= kMaxMapSide && height <= kMaxMapSide &&
+                  width * height * kPixelBytes == value.left());
+  }
+  if (type == "stringvector")
+    while (value.left() > 0) value.take(value.number<std::uint32_t>());
 }
 
 void read_attribute(Header& header, std::string_view name, ByteCursor value) {
@@ -51,8 +89,10 @@ bool read_header(ByteCursor& cursor, Header& header) {
   std::string_view name = cursor.text();
   if (name.empty()) return false;
   for (; !name.empty(); name = cursor.text()) {
-    cursor.text();  // the type
-    read_attribute(header, name, ByteCursor(cursor.take(cursor.number<std::uint32_t>())));
+    const std::string_view type = cursor.text();
+    const ByteCursor value(cursor.take(cursor.number<std::uint32_t>()));
+    check_value(type, value);
+    read_attribute(header, name, value);
   }
   return true;
 }
