@@ -1,7 +1,7 @@
 #!/bin/sh
-# Runs the tests once more with the sanitizers: all but the slowest with those of addresses and
-# undefined behaviour, and what runs on several threads with that of data races. The arguments are
-# for cmake.
+# Runs the tests of the library once more with the sanitizers: all but the slowest with those of
+# addresses and undefined behaviour, and what runs on several threads with that of data races. The
+# arguments are for cmake.
 set -eu
 cd "$(dirname "$0")/.."
 
