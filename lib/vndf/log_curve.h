@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "vndf/cubic_piece.h"
+#include "vndf/select.h"
 
 namespace vndf {
 
@@ -113,7 +114,9 @@ class LogCurve {
     const T z = std::clamp((a - s.begin) / (s.end - s.begin), T(0), T(1));
     const T t = graded(z, s.grading);
     const T scaled = t * static_cast<T>(s.nodes.size() - 1);
-    const std::size_t index = std::min(static_cast<std::size_t>(scaled), s.nodes.size() - 2);
+    // What is not a number has no index, but keeps its value as the fraction.
+    const auto node = static_cast<std::size_t>(larger(scaled, T(0)));
+    const std::size_t index = std::min(node, s.nodes.size() - 2);
     return {index, scaled - static_cast<T>(index), t};
   }
 
