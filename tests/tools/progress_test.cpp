@@ -10,6 +10,11 @@ using namespace vndf::test;
 
 namespace {
 
+/// Whether `script` can make a terminal: some containers have no devices for it.
+bool has_terminals() {
+  return std::system("script -qec true /dev/null >/dev/null 2>&1 </dev/null") == 0;
+}
+
 /// What appears on the terminal on which the program runs with `arguments`.
 std::string shown_by(const Folder& folder, const std::string& arguments) {
   const std::string command = "cd " + (folder / "").string() +
@@ -22,6 +27,10 @@ std::string shown_by(const Folder& folder, const std::string& arguments) {
 }  // namespace
 
 TEST_CASE("long commands show their steps on a terminal and erase them") {
+  if (!has_terminals()) {
+    WARN("not tested: no terminal can be made here");
+    return;
+  }
   const Folder folder;
   REQUIRE(folder.run("build ggx -o ggx.h5 --size 64 --quiet").status == 0);
   const std::vector<std::pair<std::string, std::string>> commands{
@@ -42,6 +51,8 @@ TEST_CASE("long commands show their steps on a terminal and erase them") {
 
 TEST_CASE("--quiet shows no progress, and neither does a file") {
   const Folder folder;
-  CHECK(shown_by(folder, "build ggx -o a.h5 --size 64 --quiet").find('\x1b') == std::string::npos);
+  if (has_terminals())
+    CHECK(shown_by(folder, "build ggx -o a.h5 --size 64 --quiet").find('\x1b') ==
+          std::string::npos);
   CHECK(folder.run("build ggx -o a.h5 --size 64").error.empty());
 }

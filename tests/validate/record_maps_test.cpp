@@ -216,7 +216,7 @@ TEST_CASE("one record of many that is 5e-5 off is found, wherever it is") {
     Records records = draw_records(GgxExact<float>{}, kSome, 500, 6);
     double& u1 = records.list[place].u1;
     u1 += u1 < 0.5 ? 5e-5 : -5e-5;
-    const CheckResult& f = result_of(judged(records), kMap, kSlopeX);
+    const CheckResult f = result_of(judged(records), kMap, kSlopeX);
     CHECK(f.measured == Approx(5e-5).epsilon(0.1));
     CHECK(f.where.u1 == u1);
   }
