@@ -16,10 +16,9 @@
 #include <string>
 #include <vector>
 
-#include "io/small_table_file.h"
+#include "io/hostile_file.h"
 #include "support/catch.h"
 #include "support/exr_memory_input.h"
-#include "support/memory_limit.h"
 #include "vndf/io/exr_memory_stream.h"
 #include "vndf/io/exr_reader.h"
 #include "vndf/io/exr_writer.h"
@@ -38,15 +37,7 @@ const StoredTables& honest() {
 }
 
 std::string message_of(const std::string& bytes) {
-  std::string message = "another";
-  within_limits(kMostRefusalBytes, [&] {
-    try {
-      if (to_stored(from_stored(read_exr(bytes))) == honest()) message = "the same";
-    } catch (const FormatError& error) {
-      message = error.what();
-    }
-  });
-  return message;
+  return test::message_of(bytes, read_exr);
 }
 
 void check_refused(const std::string& bytes, const std::string& part) {

@@ -7,9 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "io/small_table_file.h"
+#include "io/hostile_file.h"
 #include "support/catch.h"
-#include "support/memory_limit.h"
 #include "vndf/io/format_error.h"
 #include "vndf/io/hdf5_filters.h"
 #include "vndf/io/hdf5_reader.h"
@@ -64,17 +63,8 @@ std::string changed(const std::function<void(hid_t)>& change) {
   return image;
 }
 
-/// What the reader says to the bytes, within the limits of time and memory.
 std::string message_of(const std::string& bytes) {
-  std::string message = "another";
-  within_limits(kMostRefusalBytes, [&] {
-    try {
-      if (to_stored(from_stored(read_hdf5(bytes))) == honest()) message = "the same";
-    } catch (const FormatError& error) {
-      message = error.what();
-    }
-  });
-  return message;
+  return test::message_of(bytes, read_hdf5);
 }
 
 void check_refused(const std::string& bytes, const std::string& part) {

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "vndf/io/format_error.h"
 
@@ -59,5 +60,14 @@ class ByteCursor {
  private:
   std::string_view rest_;
 };
+
+/// All numbers of `bytes`, one after the other. Throws FormatError if the last is cut short.
+template <class T>
+std::vector<T> numbers_in(std::string_view bytes) {
+  std::vector<T> numbers;
+  numbers.reserve(bytes.size() / sizeof(T));
+  for (ByteCursor cursor(bytes); cursor.left() > 0;) numbers.push_back(cursor.number<T>());
+  return numbers;
+}
 
 }  // namespace vndf::io

@@ -20,14 +20,6 @@ Attribute value_of(const ExrAttribute& attribute) {
   return NotUsed{};
 }
 
-std::vector<float> floats_of(const std::string& bytes) {
-  std::vector<float> values;
-  values.reserve(bytes.size() / sizeof(float));
-  ByteCursor cursor(bytes);
-  while (cursor.left() > 0) values.push_back(cursor.number<float>());
-  return values;
-}
-
 /// Each line has the high words of its values and then the low ones.
 std::vector<double> doubles_of(const std::string& bytes, std::size_t columns) {
   std::vector<double> values;
@@ -52,7 +44,7 @@ Array array_of(UntrustedFile& file, const ExrPart& part, std::uint32_t part_numb
   const std::size_t line_bytes = shape[1] * (single ? sizeof(float) : sizeof(double));
   file.claim(std::uint64_t{shape[0]} * line_bytes);
   const std::string bytes = exr_lines(file, part, part_number, shape[0], line_bytes);
-  if (single) return {shape, floats_of(bytes)};
+  if (single) return {shape, numbers_in<float>(bytes)};
   return {shape, doubles_of(bytes, shape[1])};
 }
 

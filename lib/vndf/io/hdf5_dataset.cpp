@@ -111,15 +111,6 @@ class Collector {
   std::string values_;
 };
 
-template <class T>
-std::vector<T> values_of(const std::string& bytes) {
-  std::vector<T> values;
-  values.reserve(bytes.size() / sizeof(T));
-  ByteCursor cursor(bytes);
-  while (cursor.left() > 0) values.push_back(cursor.number<T>());
-  return values;
-}
-
 }  // namespace
 
 Array hdf5_array(UntrustedFile& file, const Hdf5Object& dataset) {
@@ -134,8 +125,8 @@ Array hdf5_array(UntrustedFile& file, const Hdf5Object& dataset) {
   const auto add = [&](std::string_view key, std::uint64_t place) { collector.add(key, place); };
   if (layout.tree != kNoAddress) for_each_leaf(file, Hdf5Tree::chunks, layout.tree, kKeyBytes, add);
   const std::string bytes = collector.take();
-  if (type == Hdf5Type::float32) return {*shape, values_of<float>(bytes)};
-  return {*shape, values_of<double>(bytes)};
+  if (type == Hdf5Type::float32) return {*shape, numbers_in<float>(bytes)};
+  return {*shape, numbers_in<double>(bytes)};
 }
 
 }  // namespace vndf::io
