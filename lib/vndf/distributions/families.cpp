@@ -131,7 +131,7 @@ int squarings_for(double p) {
 ExponentialPower::ExponentialPower(double p)
     : p_(checked(p, p > 0, "exponential-power: p", "> 0")),
       squarings_(squarings_for(p)),
-      log_factor_(std::log(p / 2 * inv_pi) - std::lgamma(2 / p)) {}
+      log_factor_(std::log(p / 2 * inv_pi) - boost::math::lgamma(2 / p)) {}
 
 std::string ExponentialPower::name() const {
   return "exponential-power:p=" + support::number_text(p_);
