@@ -15,7 +15,7 @@ void check_map_size(std::int64_t width, std::int64_t height, std::uint64_t file_
   if (static_cast<std::uint64_t>(width * height) > most_texels(file_bytes))
     throw FormatError(
         has + ", which is more than a file of " + std::to_string(file_bytes) + " bytes can hold",
-        "copy it again, or crop it to where it is rough");
+        "copy it again, or give a smaller one");
 }
 
 }  // namespace vndf::io
