@@ -9,10 +9,10 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "report/gnuplot.h"
 #include "vndf/io/atomic_file.h"
 #include "vndf/io/checksum_trailer.h"
 #include "vndf/io/format_error.h"
+#include "vndf/io/picture_mark.h"
 #include "vndf/kernel_block.h"
 
 namespace vndf::tools {
@@ -44,8 +44,8 @@ bool is_replaceable(const fs::path& path) {
   if (bytes.empty()) return fs::is_empty(path);  // and not one that cannot be read
   if (bytes.starts_with(kKernelMagic)) return true;
   const auto holds = [&](std::string_view mark) { return bytes.find(mark) != std::string::npos; };
-  return holds(io::kTrailerText) || holds("\"program\": \"vndf ") || holds(kSvgMark) ||
-         holds(kPngMark);
+  return holds(io::kTrailerText) || holds("\"program\": \"vndf ") || holds(io::kSvgMark) ||
+         holds(io::kPngMark) || holds(io::kExrMark);
 }
 
 }  // namespace

@@ -15,8 +15,8 @@ void add_force(CLI::App& command, bool& force);
 /// Throws std::runtime_error, naming `path`, unless a file can be made there: its folder exists and
 /// can be written, and `path` is nothing yet or a regular file that is none of the `inputs`, which
 /// would be lost. Without `force`, a file that is there must be empty or bear a mark of vndf: the
-/// trailer of a pair, the first bytes of a block, the "program" of a JSON report, or what draw()
-/// leaves in a picture. So a slip of the keyboard costs tables, which can be built again, and
+/// trailer of a pair, the first bytes of a block, the "program" of a JSON report, or the
+/// mark of a picture. So a slip of the keyboard costs tables, which can be built again, and
 /// nothing else.
 void require_output(const std::string& path, const std::vector<std::string>& inputs, bool force);
 

@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "vndf/io/atomic_file.h"
+#include "vndf/io/picture_mark.h"
 
 namespace vndf::tools {
 namespace {
@@ -31,15 +32,11 @@ bool run_gnuplot(const std::string& script) {
   return written && drawn;
 }
 
-/// Puts the mark of vndf into a drawn picture. The last 12 bytes of a PNG file are its chunk IEND.
+/// Puts the mark of vndf into a drawn picture.
 void mark(const std::string& picture) {
-  constexpr std::size_t kLastChunk = 12;
   std::string bytes = io::read_file(picture);
-  if (!bytes.starts_with("\x89PNG"))
-    bytes += kSvgMark;
-  else if (bytes.size() > kLastChunk)
-    bytes.insert(bytes.size() - kLastChunk, kPngMark);
-  io::replace_file(picture, bytes);
+  const bool png = bytes.starts_with("\x89PNG");
+  io::replace_file(picture, png ? io::marked_png(bytes) : bytes.append(io::kSvgMark));
 }
 
 }  // namespace
