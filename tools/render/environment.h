@@ -1,42 +1,55 @@
-// Light from far away as a function of direction.
+// Light from far away as a function of direction: an image in latitude and longitude, of which each
+// texel has one radiance. Nothing is interpolated, so the density with which directions are sampled
+// is exactly in proportion to their luminance.
 #pragma once
 
-#include <algorithm>
-#include <numbers>
+#include <cstddef>
+#include <vector>
 
-#include "render/vectors.h"
+#include "render/image.h"
 
 namespace vndf::render {
 
-/// Surroundings that are sampled evenly.
 class Environment {
  public:
-  static Environment constant(const Rgb& radiance) { return Environment(radiance, 0); }
-  /// Darker towards the ground.
-  static Environment sky() { return Environment({0.6f, 0.7f, 1}, 1); }
+  /// The same radiance from everywhere, each channel finite and >= 0.
+  static Environment constant(const Rgb& radiance);
+  /// The picture of sky.h.
+  static Environment sky();
 
-  Rgb radiance(const Vector& w) const {
-    return (1 - 0.7f * slope_ * (1 - std::max(w.z, 0.0f))) * zenith_;
-  }
+  /// The rows of `image` go from the zenith (z = 1) down to the nadir, in steps of equal angle. Its
+  /// columns go around as one sees them from inside: the middle is the y axis, the x axis is a
+  /// quarter to the right. This is the latitude-longitude map of OpenEXR, with its up axis turned
+  /// to z. Throws std::invalid_argument if the image is empty, or has a value that is not finite or
+  /// is negative.
+  explicit Environment(Image image);
+
+  /// The radiance from the unit direction `w`.
+  Rgb radiance(const Vector& w) const;
 
   struct Sample {
     Vector w;
     Rgb radiance;
-    float pdf;
+    float pdf;  ///< per solid angle
   };
-  Sample sample(float u1, float u2) const {
-    const float z = 1 - 2 * u1, sine = std::sqrt(std::max(0.0f, 1 - z * z));
-    const float azimuth = 2 * std::numbers::pi_v<float> * u2;
-    const Vector w{sine * std::cos(azimuth), sine * std::sin(azimuth), z};
-    return {w, radiance(w), pdf(w)};
-  }
-  float pdf(const Vector&) const { return 0.25f * std::numbers::inv_pi_v<float>; }
+  /// Draws a direction in proportion to luminance, or evenly if all is black. u1 and u2 are in
+  /// [0, 1).
+  Sample sample(float u1, float u2) const;
+  /// The density of sample() at the unit direction `w`, per solid angle: luminance over its
+  /// integral. Maximum error relative to the exact density: 1e-6.
+  float pdf(const Vector& w) const;
 
  private:
-  Environment(const Rgb& zenith, float slope) : zenith_(zenith), slope_(slope) {}
+  std::size_t texel_of(const Vector& w) const;
+  float pdf_of(std::size_t texel) const;
 
-  Rgb zenith_;
-  float slope_;
+  Image image_;
+  /// The heights z at which rows begin and end.
+  std::vector<double> edges_;
+  /// Sums of what is sampled: over the rows up to each, and in each row over the texels up to each.
+  /// The last of all is the integral over directions.
+  std::vector<double> rows_, columns_;
+  bool black_ = false;
 };
 
 }  // namespace vndf::render
