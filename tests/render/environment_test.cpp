@@ -261,6 +261,11 @@ TEST_CASE("the sun of the sky gives three times the light of the rest") {
   CHECK(e.radiance({0, 0, -1}).g == 0.2f);
 }
 
+TEST_CASE("the largest number is light") {
+  const Environment e(image_of(1, {std::numeric_limits<float>::max()}));
+  CHECK(e.pdf({0, 0, 1}) == Approx(1 / (4 * kPi)));
+}
+
 TEST_CASE("images that are no light are refused") {
   CHECK_THROWS_AS(Environment(Image{}), std::invalid_argument);
   CHECK_THROWS_AS(Environment(Image{2, 1, {grey(1)}}), std::invalid_argument);
