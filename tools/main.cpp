@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
   vndf::tools::add_sample(app);
   vndf::tools::add_convert(app);
   vndf::tools::add_picture(app);
+  vndf::tools::add_render(app);
   vndf::tools::add_experiment(app);
   vndf::tools::add_validate(app);
   vndf::tools::add_check(app);

@@ -19,6 +19,8 @@ void add_sample(CLI::App& app);
 void add_convert(CLI::App& app);
 void add_picture(CLI::App& app);
 void add_experiment(CLI::App& app);
+/// Without Embree, the command says what to install.
+void add_render(CLI::App& app);
 void add_validate(CLI::App& app);
 void add_check(CLI::App& app);
 void add_bench(CLI::App& app);

@@ -29,25 +29,26 @@ const ConductorFresnel<float, 3>& metal(const std::string& name) {
   return std::ranges::find_if(kMetals, [&](const Metal& m) { return m.name == name; })->fresnel;
 }
 
-/// A glass slab in constant white surroundings.
-Scene slab(const Surface& surface, const SceneChoices& choices, const Alpha<float>& alpha) {
-  return {.camera = {.position = {-1.3f, -3.4f, 2.0f}, .target = {0, 0, 0}, .degrees = 36},
-          .environment = choices.environment.value_or(Environment::constant({1, 1, 1})),
+/// A slab of glass that is rough on all faces.
+Scene slab(const Surface& surface, const SceneChoices& choices, const Alpha<float>& alpha,
+           const Environment& environment) {
+  return {.camera = {.position = {-1.3f, -3.6f, 2.1f}, .target = {0, 0, -0.05f}, .degrees = 40},
+          .environment = choices.environment.value_or(environment),
           .bodies = {{box({-1, -1, -0.1f}, {1, 1, 0.1f}),
                       material_of(surface, choices, {alpha, Glass{}})}}};
 }
 
 Scene plate(const Surface& surface, const SceneChoices& choices) {
-  return slab(surface, choices, {0.05f, 0.4f});
+  return slab(surface, choices, {0.05f, 0.4f}, Environment::constant({1, 1, 1}));
 }
 
 Scene plate_beckmann(const Surface& surface, const SceneChoices& choices) {
-  return slab(surface, choices, {0.1f, 0.1f});
+  return slab(surface, choices, {0.1f, 0.1f}, Environment::sky());
 }
 
 Body ground() {
-  return {rectangle({-100, -100, 0}, {200, 0, 0}, {0, 200, 0}),
-          std::make_shared<Matt>(Rgb{0.35f, 0.35f, 0.35f})};
+  return {rectangle({-1000, -1000, 0}, {2000, 0, 0}, {0, 2000, 0}),
+          std::make_shared<Matt>(Rgb{0.2f, 0.2f, 0.2f})};
 }
 
 /// A turned foot with a ball on it.
@@ -70,10 +71,10 @@ Scene pedestal(const Surface& surface, const SceneChoices& choices) {
 /// `mesh` on the ground, between the sky and a lamp.
 Scene studio(Mesh mesh, const Surface& surface, const SceneChoices& choices) {
   const auto material = material_of(surface, choices, {{0.3f, 0.3f}, metal("gold")});
-  return {.camera = {.position = {0, -5.4f, 2.4f}, .target = {0, 0, 0.95f}, .degrees = 30},
+  return {.camera = {.position = {0, -5.4f, 1.9f}, .target = {0, 0, 1}, .degrees = 30},
           .environment = choices.environment.value_or(Environment::sky()),
           .bodies = {ground(), {std::move(mesh), material}},
-          .lamp = Lamp{{1.5f, -2.5f, 3.2f}, {0.9f, 0.9f, 0}, {-0.6f, 0.6f, 0.9f}, {12, 12, 12}}};
+          .lamp = Lamp{{1.6f, -3.2f, 1.2f}, {0.9f, 0.9f, 0}, {0, 0, 1.6f}, {12, 12, 12}}};
 }
 
 Scene ball(const Surface& surface, const SceneChoices& choices) {
@@ -89,7 +90,7 @@ const std::vector<Maker>& makers() {
   static const std::vector<Maker> list{
       {{"plate", "a slab of rough glass in white surroundings, alpha 0.05 x 0.4 (Figure 1)"},
        plate},
-      {{"plate-beckmann", "the same slab with alpha 0.1 (Figure 9)"}, plate_beckmann},
+      {{"plate-beckmann", "the same slab under a sky, alpha 0.1 (Figure 9)"}, plate_beckmann},
       {{"pedestal", "a rough metal under a sky, alpha 0.05 (Figures 2 and 10)"}, pedestal},
       {{"ball", "a ball on the ground between a sky and a lamp, gold with alpha 0.3"}, ball},
   };
