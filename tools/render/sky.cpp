@@ -13,9 +13,9 @@ constexpr std::size_t kWidth = 1024, kHeight = 512;
 constexpr float kRadian = std::numbers::pi_v<float> / 180;
 constexpr float kSunHeight = 40 * kRadian, kSunAzimuth = 220 * kRadian;
 constexpr float kSunEven = 1.5f * kRadian, kSunEnd = 4.5f * kRadian;
-// The colours were chosen by eye and then scaled until the two promises of the header were met.
-constexpr Rgb kZenith{0.24f, 0.46f, 1.0f}, kHorizon{0.8f, 0.97f, 1.2f};
-constexpr Rgb kGround{0.22f, 0.2f, 0.17f}, kSun{940, 800, 583};
+// The colours were chosen by eye and then scaled until the promises of the header were met.
+constexpr Rgb kZenith{0.144f, 0.276f, 0.6f}, kHorizon{0.48f, 0.582f, 0.72f};
+constexpr Rgb kGround{0.22f, 0.2f, 0.17f}, kSun{564, 480, 350};
 
 /// From 1 at `begin` down to 0 at `end`, without a corner.
 float falling(float x, float begin, float end) {
