@@ -21,6 +21,8 @@ void add_picture(CLI::App& app);
 void add_experiment(CLI::App& app);
 /// Without Embree, the command says what to install.
 void add_render(CLI::App& app);
+/// Adds to the experiments. Without Embree, the command says what to install.
+void add_scenes_experiment(CLI::App& experiments);
 void add_validate(CLI::App& app);
 void add_check(CLI::App& app);
 void add_bench(CLI::App& app);

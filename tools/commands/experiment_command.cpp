@@ -1,4 +1,5 @@
-// vndf experiment variance: how fast each way of sampling a rough metal converges.
+// vndf experiment, whose first part is variance: how fast each way of sampling a rough metal
+// converges.
 #include <fmt/format.h>
 
 #include <charconv>
@@ -184,12 +185,8 @@ void add_numbers(CLI::App& command, const std::string& name, std::vector<double>
       ->capture_default_str();
 }
 
-}  // namespace
-
-void add_experiment(CLI::App& app) {
-  auto* group = app.add_subcommand("experiment", "Experiments with samplers");
-  group->require_subcommand(1);
-  auto* command = group->add_subcommand(
+void add_variance_experiment(CLI::App& experiments) {
+  auto* command = experiments.add_subcommand(
       "variance", "Compare how fast ways of sampling a rough metal converge, for one pixel");
   const auto a = std::make_shared<VarianceArguments>();
   auto* distribution = command->add_option("--distribution", a->distribution,
@@ -221,6 +218,15 @@ void add_experiment(CLI::App& app) {
       throw CLI::RequiredError("--distribution or --tables");
     variance(*a);
   });
+}
+
+}  // namespace
+
+void add_experiment(CLI::App& app) {
+  auto* group = app.add_subcommand("experiment", "Experiments with samplers");
+  group->require_subcommand(1);
+  add_variance_experiment(*group);
+  add_scenes_experiment(*group);
 }
 
 }  // namespace vndf::tools
