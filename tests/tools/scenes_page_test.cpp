@@ -59,8 +59,8 @@ TEST_CASE("the findings are sentences of the numbers, whoever wins") {
   CHECK_THAT(text, contains("At 64 samples a pixel, the relative MSE of the previous method is 8 "
                             "times that of visible normals by tables; Walter's is 4 times that."));
   CHECK_THAT(text, contains("In equal time they are 6 and 0.5 times."));
-  CHECK_THAT(text, contains("Of the pixels of the previous method 25 % are fireflies, of Walter's "
-                            "0.29 %, of visible normals by tables 0 %."));
+  CHECK_THAT(text, contains("Fireflies are 256 pixels of the previous method, 3 of Walter's, and 0 "
+                            "of visible normals by tables, of 1024 each."));
   CHECK_THAT(text, contains("the error by tables is 1 times that of the analytic sampler, and "
                             "their time 0.8 times."));
   CHECK_THAT(text, contains("The smallest error here is 50 times that of the reference itself."));
@@ -118,8 +118,9 @@ TEST_CASE("every number of the page's table has its name, which a narrow screen 
 
 TEST_CASE("captions tell fireflies where there are some") {
   const std::string page = scenes_page({"vndf", 1}, {figure_of_numbers()});
-  CHECK_THAT(page, contains("<b>previous method</b>, 64 samples, 3.0 s. Relative MSE 0.8. 25 % of "
-                            "the pixels are fireflies, the brightest by 40."));
+  CHECK_THAT(page,
+             contains("<b>previous method</b>, 64 samples, 3.0 s. Relative MSE 0.8. Fireflies: "
+                      "256 of 1024 pixels, the brightest 40 times the reference."));
   CHECK_THAT(page, contains("<b>visible normals, tables</b>, 64 samples, 4.0 s. Relative MSE 0.1. "
                             "No pixel is a firefly."));
 }

@@ -34,12 +34,6 @@ void require_same_size(const Image& a, const Image& b) {
     throw std::invalid_argument("images of different sizes cannot be compared");
 }
 
-double mean_luminance(const Image& image) {
-  double sum = 0;
-  for (const Rgb& pixel : image.pixels) sum += luminance(pixel);
-  return sum / static_cast<double>(image.pixels.size());
-}
-
 /// The eps of a reference.
 double floor_of(const Image& reference) {
   require_finite(reference, "the reference");
@@ -64,6 +58,12 @@ double relative_mse(const Image& image, const Image& other, const Image& referen
 }
 
 }  // namespace
+
+double mean_luminance(const Image& image) {
+  double sum = 0;
+  for (const Rgb& pixel : image.pixels) sum += luminance(pixel);
+  return sum / static_cast<double>(image.pixels.size());
+}
 
 ImageError image_error(const Image& image, const Image& reference) {
   require_same_size(image, reference);

@@ -19,6 +19,9 @@ inline constexpr double kDarkness = 0.1;
 /// A pixel is a firefly if its luminance is beyond this many times the reference.
 inline constexpr double kFirefly = 10;
 
+/// The mean luminance of all pixels; not a number if there is none.
+double mean_luminance(const Image& image);
+
 struct ImageError {
   /// Mean of (I - R)^2 / (R^2 + eps) over all pixels and colours.
   double relative_mse = 0;

@@ -1,7 +1,12 @@
 // The scenes of the paper, rendered with every way of drawing normals.
 #include "report/scenes_experiment.h"
 
+#include <algorithm>
+#include <cmath>
+#include <map>
 #include <memory>
+#include <numbers>
+#include <optional>
 #include <utility>
 
 #include "render/render_image.h"
@@ -20,50 +25,69 @@ using render::Scene;
 
 struct FigurePlan {
   std::string name, title, setup;
-  bool sample_lights;
-};
-
-/// A scene, and the figures that show it, which share a reference.
-struct ScenePlan {
   std::string scene, distribution, analytic;
-  /// Pictures have a width of 1 / `smaller`, and `smaller`^2 times the samples.
-  std::uint32_t smaller;
-  std::vector<FigurePlan> figures;
+  /// In place of those of the scene.
+  std::optional<render::Environment> surroundings = {};
+  bool sample_lights = true;
+  /// The picture has a width of 1 / `smaller`, and `smaller`^2 times the samples.
+  std::uint32_t smaller = 1;
 };
 
-std::vector<ScenePlan> plans() {
+/// The overcast sky of the CIE (Moon and Spencer 1942), (1 + 2 z) / 3, with a ground as bright as
+/// the horizon. No direction is so bright that finding it by chance would be noise of its own.
+render::Environment overcast_sky() {
+  constexpr std::size_t kRows = 128;
+  render::Image image{1, kRows};
+  for (std::size_t row = 0; row < kRows; ++row) {
+    const double theta = std::numbers::pi * (static_cast<double>(row) + 0.5) / kRows;
+    const auto grey = static_cast<float>((1 + 2 * std::max(0.0, std::cos(theta))) / 3);
+    image.pixels.push_back({grey, grey, grey});
+  }
+  return render::Environment(std::move(image));
+}
+
+std::vector<FigurePlan> plans() {
   return {
-      {"plate",
-       "ggx",
-       "ggx-caps",
-       1,
-       {{"plate", "Figure 1: a plate of glass",
-         "A slab with n = 1.5, rough on all faces with GGX slopes of alpha 0.05 x 0.4, in constant "
-         "white surroundings. Light is sampled by the surface and by the surroundings. The paper "
-         "shows it with 64 samples in 10.0 s for the previous method, and with 58 samples in 10.4 "
-         "s for visible normals.",
-         true}}},
-      {"plate-beckmann",
-       "beckmann",
-       "beckmann-exact",
-       2,
-       {{"plate-beckmann", "Figure 9: fireflies of a Beckmann surface",
-         "The slab with Beckmann slopes of alpha 0.1, with many samples. What is bright after so "
-         "many samples comes from few of them with large weights.",
-         true}}},
-      {"pedestal",
-       "ggx",
-       "ggx-caps",
-       1,
-       {{"pedestal", "Figures 2 and 10: a pedestal of metal, light found by the surface alone",
-         "A rough metal with GGX slopes of alpha 0.05 under a sky. Directions are drawn by the "
-         "surface only, so that the picture shows what its sampling is worth.",
-         false},
-        {"pedestal-mis", "Figures 2 and 10: the pedestal, light sampled directly too",
-         "The same scene. Directions are also drawn by the brightness of the sky, and both are "
-         "combined by multiple importance sampling, which hides much of what a surface samples "
-         "badly.",
-         true}}}};
+      {.name = "plate",
+       .title = "Figure 1: a plate of glass",
+       .setup =
+           "A slab with n = 1.5, rough on all faces with GGX slopes of alpha 0.05 x 0.4, in "
+           "constant white surroundings. Directions are drawn by the surface and by the "
+           "surroundings, and combined by multiple importance sampling. The paper shows it with 64 "
+           "samples in 10.0 s for the previous method, and with 58 samples in 10.4 s for visible "
+           "normals.",
+       .scene = "plate",
+       .distribution = "ggx",
+       .analytic = "ggx-caps"},
+      {.name = "plate-beckmann",
+       .title = "Figure 9: a plate of Beckmann slopes under a sun",
+       .setup =
+           "The slab with Beckmann slopes of alpha 0.1 under a sky with a sun, with many samples. "
+           "A path that meets the sun by chance is bright by any method, and the weights of the "
+           "previous method can make it brighter still.",
+       .scene = "plate-beckmann",
+       .distribution = "beckmann",
+       .analytic = "beckmann-exact",
+       .smaller = 2},
+      {.name = "pedestal-overcast",
+       .title = "Figure 10: a pedestal of metal under an even sky",
+       .setup =
+           "A rough metal with GGX slopes of alpha 0.05 under an overcast sky. Directions are "
+           "drawn by the surface alone, so that the noise on the metal is that of its sampling.",
+       .scene = "pedestal",
+       .distribution = "ggx",
+       .analytic = "ggx-caps",
+       .surroundings = overcast_sky(),
+       .sample_lights = false},
+      {.name = "pedestal-sun",
+       .title = "Figure 2: the pedestal under a sky with a sun",
+       .setup =
+           "The same metal. Directions are also drawn by the brightness of the sky, and both are "
+           "combined by multiple importance sampling, which hides much of what a surface samples "
+           "badly.",
+       .scene = "pedestal",
+       .distribution = "ggx",
+       .analytic = "ggx-caps"}};
 }
 
 /// Turns the progress of one rendering after another into that of all.
@@ -91,19 +115,33 @@ class WholeProgress {
   double total_, done_ = 0;
 };
 
+/// Builds the tables of a distribution once for all figures.
+class BakedTables {
+ public:
+  explicit BakedTables(unsigned threads) : threads_(threads) {}
+
+  std::shared_ptr<const KernelTables> of(const std::string& name) {
+    auto& tables = made_[name];
+    if (!tables) {
+      const auto distribution = distributions::make_distribution({name});
+      const auto pair = precompute::build_tables(*distribution, {.threads = threads_}).tables;
+      tables =
+          std::make_shared<const KernelTables>(precompute::bake_certified(*distribution, *pair));
+    }
+    return tables;
+  }
+
+ private:
+  unsigned threads_;
+  std::map<std::string, std::shared_ptr<const KernelTables>> made_;
+};
+
 /// The scene with each way of drawing normals.
 using Scenes = std::array<Scene, kWays.size()>;
 
-std::shared_ptr<const KernelTables> baked(const std::string& name, unsigned threads) {
-  const auto distribution = distributions::make_distribution({name});
-  const auto pair = precompute::build_tables(*distribution, {.threads = threads}).tables;
-  return std::make_shared<const KernelTables>(precompute::bake_certified(*distribution, *pair));
-}
-
-Scenes scenes_of(const ScenePlan& plan, unsigned threads) {
-  const auto tables = baked(plan.distribution, threads);
+Scenes scenes_of(const FigurePlan& plan, const std::shared_ptr<const KernelTables>& tables) {
   const auto scene = [&](const std::shared_ptr<const render::Surface>& surface) {
-    return render::make_scene(plan.scene, *surface, {});
+    return render::make_scene(plan.scene, *surface, {.environment = plan.surroundings});
   };
   return {scene(render::tabulated_surface(tables, Sampling::previous)),
           scene(render::tabulated_surface(tables, Sampling::walter)),
@@ -111,50 +149,51 @@ Scenes scenes_of(const ScenePlan& plan, unsigned threads) {
           scene(render::analytic_surface(plan.analytic, Sampling::visible))};
 }
 
-/// Renders the figures of one scene.
-class SceneStudio {
+/// Renders the pictures of one figure.
+class Studio {
  public:
-  SceneStudio(const ScenePlan& plan, const ScenesOptions& options, WholeProgress& progress)
-      : plan_(plan),
-        options_(options),
-        progress_(progress),
-        scenes_(scenes_of(plan, options.workers.threads)),
-        reference_(reference()) {}
+  Studio(const FigurePlan& plan, Scenes scenes, const ScenesOptions& options,
+         WholeProgress& progress)
+      : plan_(plan), scenes_(std::move(scenes)), options_(options), progress_(progress) {}
 
-  SceneFigure figure(const FigurePlan& plan) {
-    SceneFigure figure{plan.name, plan.title, plan.setup, reference_};
-    for (const Way way : kWays) figure.equal_samples[way] = rendering(way, samples_of(plan));
-    RenderOptions timed = samples_of(plan);
-    timed.seconds = figure.equal_samples[Way::visible].seconds;
+  SceneFigure figure() {
+    SceneFigure figure{plan_.name, plan_.title, plan_.setup, reference()};
+    RenderOptions options = options_of(options_.samples);
     for (const Way way : kWays)
-      figure.equal_time[way] =
-          way == Way::visible ? figure.equal_samples[way] : rendering(way, timed);
+      figure.equal_samples[way] = rendering(way, options, figure.reference.image);
+    options.seconds = figure.equal_samples[Way::visible].seconds;
+    for (const Way way : kWays)
+      figure.equal_time[way] = way == Way::visible
+                                   ? figure.equal_samples[way]
+                                   : rendering(way, options, figure.reference.image);
     return figure;
   }
 
  private:
   const Scene& scene(Way way) const { return scenes_[static_cast<std::size_t>(way)]; }
 
-  RenderOptions samples_of(const FigurePlan& plan) const {
+  RenderOptions options_of(std::uint32_t samples) const {
     const std::size_t side = options_.size / plan_.smaller;
     return {.width = side,
             .height = side,
-            .samples = options_.samples * plan_.smaller * plan_.smaller,
+            .samples = samples * plan_.smaller * plan_.smaller,
             .seed = options_.seed,
-            .sample_lights = plan.sample_lights};
+            .sample_lights = plan_.sample_lights};
   }
 
-  SceneRendering rendering(Way way, RenderOptions options) {
+  SceneRendering rendering(Way way, RenderOptions options, const render::Image& reference) {
     options.workers = progress_.next(options_.samples);
-    const Rendering r = render::render(scene(way), options);
-    return {r.image, r.samples, r.seconds, render::image_error(r.image, reference_.image)};
+    Rendering r = render::render(scene(way), options);
+    const render::ImageError error = render::image_error(r.image, reference);
+    return {std::move(r.image), r.samples, r.seconds, error};
   }
 
   /// The mean of two renderings by the analytic sampler with seeds of their own, so that its error
-  /// is known and has nothing in common with that of the pictures.
+  /// is known and has nothing in common with that of the pictures. Light is sampled in any case,
+  /// because less noise is better here.
   Reference reference() {
-    RenderOptions options = samples_of(plan_.figures.back());
-    options.samples = options_.reference_samples * plan_.smaller * plan_.smaller / 2;
+    RenderOptions options = options_of(options_.reference_samples / 2);
+    options.sample_lights = true;
     std::array<Rendering, 2> halves;
     for (Rendering& half : halves) {
       ++options.seed;
@@ -166,31 +205,29 @@ class SceneStudio {
             render::error_of_mean(halves[0].image, halves[1].image)};
   }
 
-  const ScenePlan& plan_;
+  const FigurePlan& plan_;
+  Scenes scenes_;
   const ScenesOptions& options_;
   WholeProgress& progress_;
-  Scenes scenes_;
-  Reference reference_;
 };
 
-/// In samples of a pixel. Of the second comparison, one picture is that of the first.
-double weight_of(const ScenePlan& plan, const ScenesOptions& o) {
-  const auto pictures = static_cast<double>(plan.figures.size() * (2 * kWays.size() - 1));
-  return pictures * o.samples + o.reference_samples;
+/// What a figure takes, in samples of a pixel. Of the second comparison, one picture is that of the
+/// first.
+double weight_of_figure(const ScenesOptions& o) {
+  return (2.0 * kWays.size() - 1) * o.samples + o.reference_samples;
 }
 
 }  // namespace
 
 std::vector<SceneFigure> run_scenes_experiment(const ScenesOptions& options) {
-  const std::vector<ScenePlan> all = plans();
-  double total = 0;
-  for (const ScenePlan& plan : all) total += weight_of(plan, options);
-  WholeProgress progress(options.workers, total);
+  const std::vector<FigurePlan> all = plans();
+  WholeProgress progress(options.workers,
+                         static_cast<double>(all.size()) * weight_of_figure(options));
+  BakedTables tables(options.workers.threads);
   std::vector<SceneFigure> figures;
-  for (const ScenePlan& plan : all) {
-    SceneStudio studio(plan, options, progress);
-    for (const FigurePlan& figure : plan.figures) figures.push_back(studio.figure(figure));
-  }
+  for (const FigurePlan& plan : all)
+    figures.push_back(
+        Studio(plan, scenes_of(plan, tables.of(plan.distribution)), options, progress).figure());
   return figures;
 }
 

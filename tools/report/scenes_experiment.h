@@ -21,7 +21,7 @@ struct ScenesOptions {
   support::Workers workers = {};
 };
 
-/// Renders all figures: 1 and 9 of the paper (a plate of glass), 2 and 10 (a pedestal of metal,
+/// Renders all figures: 1 and 9 of the paper (a plate of glass), 10 and 2 (a pedestal of metal,
 /// without and with light that is sampled directly). The tables of GGX and Beckmann are built and
 /// baked before. A figure of many samples has them in fewer pixels, so that each takes as long.
 std::vector<SceneFigure> run_scenes_experiment(const ScenesOptions& options);

@@ -14,8 +14,9 @@ namespace {
 /// The part of the width of an image that an inset shows, and its least side in pixels.
 constexpr std::size_t kPart = 8, kLeastSide = 16;
 
-/// Factor of radiance in the pictures. Surroundings have a luminance of about 1 in all scenes.
-constexpr float kExposure = 1;
+/// The luminance that the mean of a picture gets, as a photographer exposes for a middle tone.
+/// White surroundings are then seen as white, but not so bright that noise in them is lost.
+constexpr double kMiddle = 0.5;
 
 /// Pixels of insets stay squares. On a narrow screen there are two pictures in a row, and every row
 /// of a table becomes a block in which each number has its name.
@@ -39,10 +40,6 @@ tr.group td { font-weight: bold; padding-top: 0.7em; }
   td.number::before { content: attr(data-name) " "; color: #666; }
 }
 )";
-
-std::string percent(double share) {
-  return fmt::format("{:.2g} %", 100 * share);
-}
 
 std::string row(const std::string& name, const std::vector<NamedNumber>& numbers) {
   std::string text = fmt::format("<tr><td class=\"name\">{}</td>", escaped(name));
@@ -74,26 +71,39 @@ render::Image part_of(const render::Image& image, const Inset& inset) {
   return part;
 }
 
-std::string img(const std::string& name, const char* css_class, const render::Image& image) {
+/// How the pictures of a figure are shown.
+struct View {
+  Inset inset;
+  float exposure;  ///< factor of radiance
+};
+
+View view_of(const SceneFigure& figure) {
+  const double mean = render::mean_luminance(figure.reference.image);
+  return {inset_of(figure), static_cast<float>(kMiddle / mean)};
+}
+
+std::string img(const std::string& name, const char* css_class, const render::Image& image,
+                float exposure) {
   return fmt::format("<img class=\"{}\" alt=\"{}\" src=\"{}\">", css_class, escaped(name),
-                     png_address(render::png_bytes(image, kExposure)));
+                     png_address(render::png_bytes(image, exposure)));
 }
 
 /// The picture with the outline of the inset on it.
-std::string outlined(const std::string& name, const render::Image& image, const Inset& inset) {
+std::string outlined(const std::string& name, const render::Image& image, const View& view) {
+  const Inset& inset = view.inset;
   const auto percent_of = [](std::size_t part, std::size_t whole) {
     return 100 * static_cast<double>(part) / static_cast<double>(whole);
   };
   return fmt::format(
       "<div class=\"picture\">{}<i style=\"left: {:.3f}%; top: {:.3f}%; width: {:.3f}%; height: "
       "{:.3f}%\"></i></div>\n",
-      img(name, "whole", image), percent_of(inset.x, image.width),
+      img(name, "whole", image, view.exposure), percent_of(inset.x, image.width),
       percent_of(inset.y, image.height), percent_of(inset.side, image.width),
       percent_of(inset.side, image.height));
 }
 
-std::string magnified(const std::string& name, const render::Image& image, const Inset& inset) {
-  return img(name + ", magnified", "inset", part_of(image, inset)) + "\n";
+std::string magnified(const std::string& name, const render::Image& image, const View& view) {
+  return img(name + ", magnified", "inset", part_of(image, view.inset), view.exposure) + "\n";
 }
 
 std::string shot(const std::string& pictures, const std::string& caption, const std::string& file) {
@@ -101,29 +111,29 @@ std::string shot(const std::string& pictures, const std::string& caption, const 
                      pictures, caption, escaped(file));
 }
 
-std::string fireflies_text(const render::ImageError& error) {
-  if (error.fireflies == 0) return "No pixel is a firefly.";
-  return fmt::format("{} of the pixels are fireflies, the brightest by {:.3g}.",
-                     percent(error.firefly_share), error.brightest);
+std::string fireflies_text(const SceneRendering& r) {
+  if (r.error.fireflies == 0) return "No pixel is a firefly.";
+  return fmt::format("Fireflies: {} of {} pixels, the brightest {:.3g} times the reference.",
+                     r.error.fireflies, r.image.pixels.size(), r.error.brightest);
 }
 
 std::string caption_of(Way way, const SceneRendering& r) {
   return fmt::format("<b>{}</b>, {} samples, {:.1f} s. Relative MSE {:.2g}. {}",
                      escaped(name_of(way)), r.samples, r.seconds, r.error.relative_mse,
-                     fireflies_text(r.error));
+                     fireflies_text(r));
 }
 
-std::string equal_samples_shots(const SceneFigure& figure, const Inset& inset) {
+std::string equal_samples_shots(const SceneFigure& figure, const View& view) {
   std::string text = "<div class=\"shots\">\n";
   for (const Way way : kWays) {
     const SceneRendering& r = figure.equal_samples[way];
-    text += shot(outlined(name_of(way), r.image, inset) + magnified(name_of(way), r.image, inset),
+    text += shot(outlined(name_of(way), r.image, view) + magnified(name_of(way), r.image, view),
                  caption_of(way, r), equal_samples_file(figure, way));
   }
   const Reference& reference = figure.reference;
   return text +
-         shot(outlined("reference", reference.image, inset) +
-                  magnified("reference", reference.image, inset),
+         shot(outlined("reference", reference.image, view) +
+                  magnified("reference", reference.image, view),
               fmt::format("<b>reference</b>, {} samples, {:.1f} s. Its own relative MSE is about "
                           "{:.2g}.",
                           reference.samples, reference.seconds, reference.relative_mse),
@@ -131,22 +141,22 @@ std::string equal_samples_shots(const SceneFigure& figure, const Inset& inset) {
          "</div>\n";
 }
 
-std::string equal_time_shots(const SceneFigure& figure, const Inset& inset) {
+std::string equal_time_shots(const SceneFigure& figure, const View& view) {
   std::string text = "<div class=\"shots four\">\n";
   for (const Way way : kWays) {
     const SceneRendering& r = figure.equal_time[way];
-    text += shot(magnified(name_of(way), r.image, inset), caption_of(way, r),
+    text += shot(magnified(name_of(way), r.image, view), caption_of(way, r),
                  equal_time_file(figure, way));
   }
   return text + "</div>\n";
 }
 
 std::string section(const SceneFigure& figure) {
-  const Inset inset = inset_of(figure);
+  const View view = view_of(figure);
   return fmt::format("<h2 id=\"{}\">{}</h2>\n<p>{}</p>\n<p>{}</p>\n<h3>At equal samples</h3>\n{}",
                      escaped(figure.name), escaped(figure.title), escaped(figure.setup),
-                     escaped(findings(figure)), equal_samples_shots(figure, inset)) +
-         "<h3>At equal time, the outlined part</h3>\n" + equal_time_shots(figure, inset) +
+                     escaped(findings(figure)), equal_samples_shots(figure, view)) +
+         "<h3>At equal time, the outlined part</h3>\n" + equal_time_shots(figure, view) +
          table(figure);
 }
 
@@ -163,12 +173,13 @@ double smallest_error(const SceneFigure& figure) {
 }
 
 std::string firefly_sentence(const Comparison& comparison) {
-  const auto share = [&](Way way) { return comparison[way].error.firefly_share; };
+  const auto count = [&](Way way) { return comparison[way].error.fireflies; };
   return fmt::format(
-      "Of the pixels of the previous method {} are fireflies, of Walter's {}, of visible normals "
+      "Fireflies are {} pixels of the previous method, {} of Walter's, and {} of visible normals "
       "by "
-      "tables {}.",
-      percent(share(Way::previous)), percent(share(Way::walter)), percent(share(Way::visible)));
+      "tables, of {} each.",
+      count(Way::previous), count(Way::walter), count(Way::visible),
+      comparison[Way::previous].image.pixels.size());
 }
 
 std::string tables_sentence(const Comparison& comparison) {
