@@ -48,6 +48,18 @@ TEST_CASE("the relative mean squared error is the mean over pixels and colours")
   CHECK(image_error(image, reference).relative_mse == Approx(9 / 1.01 / 12).epsilon(kRounding));
 }
 
+TEST_CASE("the standard error tells how much of the error is that of few pixels") {
+  const Image reference = grey_image(10, 10, 1);
+  Image one = reference, all = reference;
+  one.pixels[7] = {11, 11, 11};
+  for (Rgb& pixel : all.pixels) pixel = {2, 2, 2};
+  const ImageError few = image_error(one, reference), many = image_error(all, reference);
+  CHECK(few.relative_mse == Approx(many.relative_mse).epsilon(kRounding));
+  CHECK(many.standard_error == Approx(0).margin(kRounding));
+  // One of n values is not 0: the standard error is sqrt(1 - 1/n) of the mean.
+  CHECK(few.standard_error == Approx(std::sqrt(0.99) * few.relative_mse).epsilon(kRounding));
+}
+
 TEST_CASE("errors do not depend on how bright the scene is") {
   Image reference = grey_image(2, 2, 1), image = reference;
   reference.pixels[1] = {0.01f, 0.02f, 0};

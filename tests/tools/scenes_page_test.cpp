@@ -25,6 +25,7 @@ SceneRendering rendering(double relative_mse, std::size_t fireflies, double seco
           .samples = 64,
           .seconds = seconds,
           .error = {.relative_mse = relative_mse,
+                    .standard_error = relative_mse / 4,
                     .fireflies = fireflies,
                     .firefly_share = share,
                     .brightest = fireflies > 0 ? 40.0 : 2.0,
@@ -113,6 +114,7 @@ TEST_CASE("every number of the page's table has its name, which a narrow screen 
   const std::size_t rows = 2 * kWays.size(), columns = 6;
   CHECK(count_of(page, "<td class=\"number\" data-name=\"") == rows * columns);
   CHECK(count_of(page, "data-name=\"variance ratio\">8</td>") == 2);  // visible and analytic
+  CHECK_THAT(page, contains("data-name=\"relative MSE\">0.4 ± 25 %</td>"));
   CHECK_THAT(page, contains("td.number::before { content: attr(data-name)"));
 }
 
@@ -132,6 +134,8 @@ TEST_CASE("a figure as JSON has all numbers and the files that hold its images")
   CHECK(json.at("reference").at("relative_mse") == 0.001);
   const auto& previous = json.at("equal_samples").at(0);
   CHECK(previous.at("sampling") == "previous");
+  CHECK(previous.at("relative_mse") == 0.8);
+  CHECK(previous.at("standard_error") == 0.2);
   CHECK(previous.at("fireflies") == 256);
   CHECK(previous.at("file") == "slab-previous.exr");
   CHECK(json.at("equal_samples").at(2).at("variance_ratio") == 8);

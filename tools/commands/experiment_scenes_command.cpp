@@ -56,10 +56,12 @@ nlohmann::ordered_json numbers_of(const ScenesOptions& options,
 void run_scenes(const ScenesArguments& a) {
   io::AtomicFolder folder(a.folder);  // what hinders it is told before any work
   Progress progress;
+  progress.begin("tables");
+  const SceneTables tables = bake_scene_tables(a.options.workers.threads);
   progress.begin("scenes");
   ScenesOptions options = a.options;
   options.workers = progress.workers(a.options.workers.threads);
-  const std::vector<SceneFigure> figures = run_scenes_experiment(options);
+  const std::vector<SceneFigure> figures = run_scenes_experiment(tables, options);
   progress.erase();
   for (const SceneFigure& figure : figures) write_images(folder, figure);
   folder.write("numbers.json", json_text(numbers_of(options, figures)) + "\n");

@@ -42,19 +42,30 @@ double floor_of(const Image& reference) {
   return square(kDarkness * mean);
 }
 
-/// The sum over the colours of a pixel.
+/// The mean over the colours of a pixel.
 double relative_square(const Rgb& pixel, const Rgb& other, const Rgb& reference, double eps) {
   const Colours a = colours(pixel), b = colours(other), r = colours(reference);
   double sum = 0;
   for (std::size_t c = 0; c < 3; ++c) sum += square(a[c] - b[c]) / (square(r[c]) + eps);
-  return sum;
+  return sum / 3;
 }
 
-double relative_mse(const Image& image, const Image& other, const Image& reference, double eps) {
-  double sum = 0;
-  for (std::size_t i = 0; i < image.pixels.size(); ++i)
-    sum += relative_square(image.pixels[i], other.pixels[i], reference.pixels[i], eps);
-  return sum / (3 * static_cast<double>(image.pixels.size()));
+struct Mean {
+  double value, standard_error;
+};
+
+/// The mean of relative_square() over pixels.
+Mean relative_mse(const Image& image, const Image& other, const Image& reference, double eps) {
+  const auto count = static_cast<double>(image.pixels.size());
+  double sum = 0, squares = 0;
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    const double error =
+        relative_square(image.pixels[i], other.pixels[i], reference.pixels[i], eps);
+    sum += error;
+    squares += square(error);
+  }
+  const double mean = sum / count, variance = squares / count - square(mean);
+  return {mean, std::sqrt(std::max(variance, 0.0) / count)};
 }
 
 }  // namespace
@@ -69,7 +80,8 @@ ImageError image_error(const Image& image, const Image& reference) {
   require_same_size(image, reference);
   require_finite(image, "the image");
   const double eps = floor_of(reference);
-  ImageError error{.relative_mse = relative_mse(image, reference, reference, eps)};
+  const Mean mse = relative_mse(image, reference, reference, eps);
+  ImageError error{.relative_mse = mse.value, .standard_error = mse.standard_error};
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     const double there = luminance(reference.pixels[i]);
     const double ratio = luminance(image.pixels[i]) / std::sqrt(square(there) + eps);
@@ -94,7 +106,7 @@ Image mean_of(const Image& a, const Image& b) {
 
 double error_of_mean(const Image& a, const Image& b) {
   const Image mean = mean_of(a, b);
-  return relative_mse(a, b, mean, floor_of(mean)) / 4;
+  return relative_mse(a, b, mean, floor_of(mean)).value / 4;
 }
 
 }  // namespace vndf::render

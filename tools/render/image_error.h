@@ -25,6 +25,9 @@ double mean_luminance(const Image& image);
 struct ImageError {
   /// Mean of (I - R)^2 / (R^2 + eps) over all pixels and colours.
   double relative_mse = 0;
+  /// The standard error of that mean, from how it differs between pixels. If few pixels make most
+  /// of the error, as fireflies do, this is large, and two images cannot be ranked by the mean.
+  double standard_error = 0;
   /// Number of pixels whose luminance I is beyond kFirefly * sqrt(R^2 + eps), and their share.
   std::size_t fireflies = 0;
   double firefly_share = 0;

@@ -15,11 +15,11 @@ std::string word_of(Way way) {
 std::string lines(const std::string& title, const Comparison& comparison) {
   std::string text = fmt::format("{:<26}", title);
   for (const NamedNumber& number : numbers_of(comparison, Way::previous))
-    text += fmt::format(" {:>14}", number.name);
+    text += fmt::format(" {:>16}", number.name);
   for (const Way way : kWays) {
     text += fmt::format("\n{:<26}", name_of(way));
     for (const NamedNumber& number : numbers_of(comparison, way))
-      text += fmt::format(" {:>14}", number.text);
+      text += fmt::format(" {:>16}", number.text);
   }
   return text + "\n";
 }
@@ -30,6 +30,7 @@ nlohmann::ordered_json to_json(const Comparison& comparison, Way way, const std:
           {"samples", r.samples},
           {"seconds", r.seconds},
           {"relative_mse", r.error.relative_mse},
+          {"standard_error", r.error.standard_error},
           {"variance_ratio", comparison.variance_ratio(way)},
           {"fireflies", r.error.fireflies},
           {"firefly_share", r.error.firefly_share},
@@ -67,7 +68,8 @@ std::vector<NamedNumber> numbers_of(const Comparison& comparison, Way way) {
   const SceneRendering& r = comparison[way];
   return {{"samples", fmt::to_string(r.samples)},
           {"seconds", fmt::format("{:.2f}", r.seconds)},
-          {"relative MSE", fmt::format("{:.3g}", r.error.relative_mse)},
+          {"relative MSE", fmt::format("{:.3g} ± {:.2g} %", r.error.relative_mse,
+                                       100 * r.error.standard_error / r.error.relative_mse)},
           {"variance ratio", fmt::format("{:.3g}", comparison.variance_ratio(way))},
           {"fireflies", fmt::format("{:.2g} %", 100 * r.error.firefly_share)},
           {"brightest", fmt::format("{:.3g}", r.error.brightest)}};

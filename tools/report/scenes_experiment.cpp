@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <memory>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -59,6 +57,13 @@ std::vector<FigurePlan> plans() {
        .scene = "plate",
        .distribution = "ggx",
        .analytic = "ggx-caps"},
+      {.name = "pedestal-sun",
+       .title = "Figure 2: a pedestal of metal under a sky with a sun",
+       .setup = "A rough metal with GGX slopes of alpha 0.05. Directions are drawn by the surface "
+                "and by the brightness of the sky, and combined by multiple importance sampling.",
+       .scene = "pedestal",
+       .distribution = "ggx",
+       .analytic = "ggx-caps"},
       {.name = "plate-beckmann",
        .title = "Figure 9: a plate of Beckmann slopes under a sun",
        .setup =
@@ -70,24 +75,14 @@ std::vector<FigurePlan> plans() {
        .analytic = "beckmann-exact",
        .smaller = 2},
       {.name = "pedestal-overcast",
-       .title = "Figure 10: a pedestal of metal under an even sky",
-       .setup =
-           "A rough metal with GGX slopes of alpha 0.05 under an overcast sky. Directions are "
-           "drawn by the surface alone, so that the noise on the metal is that of its sampling.",
+       .title = "Figure 10: the pedestal under an even sky",
+       .setup = "The metal of Figure 2 under an overcast sky. Directions are drawn by the surface "
+                "alone, so that the noise on the metal is that of its sampling.",
        .scene = "pedestal",
        .distribution = "ggx",
        .analytic = "ggx-caps",
        .surroundings = overcast_sky(),
-       .sample_lights = false},
-      {.name = "pedestal-sun",
-       .title = "Figure 2: the pedestal under a sky with a sun",
-       .setup =
-           "The same metal. Directions are also drawn by the brightness of the sky, and both are "
-           "combined by multiple importance sampling, which hides much of what a surface samples "
-           "badly.",
-       .scene = "pedestal",
-       .distribution = "ggx",
-       .analytic = "ggx-caps"}};
+       .sample_lights = false}};
 }
 
 /// Turns the progress of one rendering after another into that of all.
@@ -113,27 +108,6 @@ class WholeProgress {
  private:
   support::Workers workers_;
   double total_, done_ = 0;
-};
-
-/// Builds the tables of a distribution once for all figures.
-class BakedTables {
- public:
-  explicit BakedTables(unsigned threads) : threads_(threads) {}
-
-  std::shared_ptr<const KernelTables> of(const std::string& name) {
-    auto& tables = made_[name];
-    if (!tables) {
-      const auto distribution = distributions::make_distribution({name});
-      const auto pair = precompute::build_tables(*distribution, {.threads = threads_}).tables;
-      tables =
-          std::make_shared<const KernelTables>(precompute::bake_certified(*distribution, *pair));
-    }
-    return tables;
-  }
-
- private:
-  unsigned threads_;
-  std::map<std::string, std::shared_ptr<const KernelTables>> made_;
 };
 
 /// The scene with each way of drawing normals.
@@ -219,15 +193,27 @@ double weight_of_figure(const ScenesOptions& o) {
 
 }  // namespace
 
-std::vector<SceneFigure> run_scenes_experiment(const ScenesOptions& options) {
+SceneTables bake_scene_tables(unsigned threads) {
+  SceneTables tables;
+  for (const FigurePlan& plan : plans()) {
+    if (tables.contains(plan.distribution)) continue;
+    const auto distribution = distributions::make_distribution({plan.distribution});
+    const auto pair = precompute::build_tables(*distribution, {.threads = threads}).tables;
+    tables[plan.distribution] =
+        std::make_shared<const KernelTables>(precompute::bake_certified(*distribution, *pair));
+  }
+  return tables;
+}
+
+std::vector<SceneFigure> run_scenes_experiment(const SceneTables& tables,
+                                               const ScenesOptions& options) {
   const std::vector<FigurePlan> all = plans();
   WholeProgress progress(options.workers,
                          static_cast<double>(all.size()) * weight_of_figure(options));
-  BakedTables tables(options.workers.threads);
   std::vector<SceneFigure> figures;
   for (const FigurePlan& plan : all)
     figures.push_back(
-        Studio(plan, scenes_of(plan, tables.of(plan.distribution)), options, progress).figure());
+        Studio(plan, scenes_of(plan, tables.at(plan.distribution)), options, progress).figure());
   return figures;
 }
 
