@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "render/frame.h"
-
 namespace vndf::render {
 namespace {
 
@@ -22,16 +20,9 @@ std::vector<const Mesh*> meshes_of(const Scene& scene, const Mesh& lamp) {
   return meshes;
 }
 
-/// The frame in which the material at `hit` sees light, for a path that comes from `wi`. Where the
-/// smoothed normal faces away and the triangle does not, it is the triangle's.
-Frame frame_of(const Hit& hit, const Vector& wi) {
-  const bool agree = (dot(hit.normal, wi) > 0) == (dot(hit.face, wi) > 0);
-  return Frame::around(agree ? hit.normal : hit.face, hit.tangent);
-}
-
 /// Whether the smoothed and the true surface agree on which side `wo` leaves. If they do not, light
 /// would leak through the body.
-bool same_side(const Hit& hit, const Frame& frame, const Vector& wo) {
+bool same_side(const Frame& frame, const Hit& hit, const Vector& wo) {
   return (dot(frame.z, wo) > 0) == (dot(hit.face, wo) > 0);
 }
 
@@ -65,9 +56,10 @@ Rgb PathTracer::radiance(Ray ray, SampleSequence& numbers) const {
   for (int points = 1;; ++points) {
     const std::optional<Hit> hit = tracer_.nearest(path.ray);
     sum += found_light(path, hit);
-    if (!hit || hit->mesh >= scene_.bodies.size()) return sum;
-    if (sample_lights_) sum += sampled_light(path, *hit, numbers);
-    if (!scatter(path, *hit, numbers)) return sum;
+    if (!hit || on_lamp(*hit)) return sum;
+    const Point point = point_at(*hit, path);
+    if (sample_lights_) sum += sampled_light(path, point, numbers);
+    if (!scatter(path, point, numbers)) return sum;
     if (!survives(path.throughput, points, numbers.next())) return sum;
   }
 }
@@ -78,40 +70,42 @@ Rgb PathTracer::found_light(const Path& path, const std::optional<Hit>& hit) con
   if (!hit)
     return weight(path.pdf, lights_.environment_pdf(w)) * path.throughput *
            scene_.environment.radiance(w);
-  if (hit->mesh < scene_.bodies.size()) return {};
+  if (!on_lamp(*hit)) return {};
   return weight(path.pdf, lights_.lamp_pdf(w, hit->distance)) * path.throughput *
          lights_.lamp_radiance(w);
 }
 
-/// The light that comes to `hit` straight from a light.
-Rgb PathTracer::sampled_light(const Path& path, const Hit& hit, SampleSequence& numbers) const {
+/// The point of a body that the path has run into. Where the smoothed normal faces away from the
+/// path and the triangle does not, the triangle's normal is taken.
+PathTracer::Point PathTracer::point_at(const Hit& hit, const Path& path) const {
+  const Vector wi = -path.ray.direction;
+  const bool agree = (dot(hit.normal, wi) > 0) == (dot(hit.face, wi) > 0);
+  const Frame frame = Frame::around(agree ? hit.normal : hit.face, hit.tangent);
+  return {*scene_.bodies[hit.mesh].material, hit, frame, frame.to_local(wi)};
+}
+
+/// The light that comes to the point straight from a light.
+Rgb PathTracer::sampled_light(const Path& path, const Point& point, SampleSequence& numbers) const {
+  const auto& [material, hit, frame, wi] = point;
   const float choice = numbers.next();
   const LightSample light = lights_.sample(hit.position, choice, numbers.next_pair());
-  if (!(light.pdf > 0) || dark(light.radiance)) return {};
-  const Vector wi = -path.ray.direction;
-  const Frame frame = frame_of(hit, wi);
-  if (!same_side(hit, frame, light.wo)) return {};
-  const Material& material = *scene_.bodies[hit.mesh].material;
-  const Vector local_wi = frame.to_local(wi), local_wo = frame.to_local(light.wo);
-  const Rgb f = material.evaluate(local_wi, local_wo);
+  if (!(light.pdf > 0) || dark(light.radiance) || !same_side(frame, hit, light.wo)) return {};
+  const Vector wo = frame.to_local(light.wo);
+  const Rgb f = material.evaluate(wi, wo);
   constexpr float kBeforeLamp = 0.999f;
   if (dark(f) ||
       tracer_.blocked(leaving(hit.position, hit.face, light.wo), kBeforeLamp * light.distance))
     return {};
-  const float pdf = material.pdf(local_wi, local_wo);
-  return weight(light.pdf, pdf) / light.pdf * path.throughput * f * light.radiance;
+  return weight(light.pdf, material.pdf(wi, wo)) / light.pdf * path.throughput * f * light.radiance;
 }
 
-/// Lets the path go on from `hit`. Returns false if its light is lost there.
-bool PathTracer::scatter(Path& path, const Hit& hit, SampleSequence& numbers) const {
-  const Vector wi = -path.ray.direction;
-  const Frame frame = frame_of(hit, wi);
+/// Lets the path go on from the point. Returns false if its light is lost there.
+bool PathTracer::scatter(Path& path, const Point& point, SampleSequence& numbers) {
+  const auto& [material, hit, frame, wi] = point;
   const Vec2<float> u = numbers.next_pair();
-  const Scattered drawn =
-      scene_.bodies[hit.mesh].material->sample(frame.to_local(wi), u, numbers.next());
-  if (dark(drawn.weight)) return false;
+  const Scattered drawn = material.sample(wi, u, numbers.next());
   const Vector wo = normalize_or_up(frame.to_world(drawn.wo));
-  if (!same_side(hit, frame, wo)) return false;
+  if (dark(drawn.weight) || !same_side(frame, hit, wo)) return false;
   path = {leaving(hit.position, hit.face, wo), path.throughput * drawn.weight, drawn.pdf};
   return true;
 }

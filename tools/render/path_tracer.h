@@ -4,6 +4,7 @@
 // (Veach 1997, section 9.2.4).
 #pragma once
 
+#include "render/frame.h"
 #include "render/lights.h"
 #include "render/ray_tracer.h"
 #include "render/sample_sequence.h"
@@ -22,17 +23,26 @@ class PathTracer {
   Rgb radiance(Ray ray, SampleSequence& numbers) const;
 
  private:
-  /// Where a path is: the ray on which it goes on, the share of what that brings which reaches the
-  /// camera, and the density with which the material drew it, 0 if it did not draw.
+  /// The ray on which a path goes on, the share of what comes along it that reaches the camera, and
+  /// the density with which a material drew it, 0 if none did.
   struct Path {
     Ray ray;
     Rgb throughput{1, 1, 1};
     float pdf = 0;
   };
+  /// Where a path meets a body, as its material sees it: `wi` is in the shading frame.
+  struct Point {
+    const Material& material;
+    const Hit& hit;
+    Frame frame;
+    Vector wi;
+  };
 
+  bool on_lamp(const Hit& hit) const { return hit.mesh >= scene_.bodies.size(); }
   Rgb found_light(const Path& path, const std::optional<Hit>& hit) const;
-  Rgb sampled_light(const Path& path, const Hit& hit, SampleSequence& numbers) const;
-  bool scatter(Path& path, const Hit& hit, SampleSequence& numbers) const;
+  Point point_at(const Hit& hit, const Path& path) const;
+  Rgb sampled_light(const Path& path, const Point& point, SampleSequence& numbers) const;
+  static bool scatter(Path& path, const Point& point, SampleSequence& numbers);
   float weight(float pdf, float other) const;
 
   const Scene& scene_;
