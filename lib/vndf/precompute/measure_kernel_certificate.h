@@ -10,8 +10,8 @@
 namespace vndf::precompute {
 
 /// Returns the errors of `kernel` as those of the distribution of `slopes`. Its u1 and u2 end at
-/// 2^-25 and 1 - 2^-24, so nothing beyond them is measured. The slope y is measured at slopes x that
-/// the kernel itself draws.
+/// 2^-25 and 1 - 2^-24, so nothing beyond them is measured. The slope y is measured at slopes x
+/// that the kernel itself draws.
 Certificate measure_certificate(const UnitSlopes& slopes, const Kernel& kernel,
                                 const support::Workers& workers);
 
