@@ -147,6 +147,29 @@ TEST_CASE("the back of a lamp is dark", "[render]") {
   for (const Rgb& p : image.pixels) CHECK(p.g == 0);
 }
 
+TEST_CASE("light that many reflections bring is as bright as an integrating sphere says",
+          "[render]") {
+  // Inside a sphere of radius 1 every point lights every other equally. A point behind a small lamp
+  // in the middle sees what was reflected at least once: albedo^2 a L / (A (1 - albedo)), where a
+  // is the lamp's area and A that of the sphere.
+  constexpr double kAlbedo = 0.7, kArea = 0.1 * 0.1, kRadiance = 100;
+  const double exact =
+      kAlbedo * kAlbedo * kArea * kRadiance / (4 * std::numbers::pi * (1 - kAlbedo));
+  Mesh inside = revolved(half_circle(1, 0));
+  for (Vector& n : inside.normals) n = -n;
+  const auto a = static_cast<float>(kAlbedo);
+  const Scene scene{
+      .camera = {.position = {0.5f, 0, -0.3f}, .target = {0.4f, 0.1f, -1}, .degrees = 20},
+      .environment = Environment::constant({0, 0, 0}),
+      .bodies = {{inside, std::make_shared<Matt>(Rgb{a, a, a})}},
+      .lamp = Lamp{{-0.05f, -0.05f, 0}, {0.1f, 0, 0}, {0, 0.1f, 0}, {100, 100, 100}}};
+  const Image image = render::render(scene, {.width = 8, .height = 8, .samples = 4096}).image;
+  double mean = 0;
+  for (const Rgb& p : image.pixels) mean += static_cast<double>(p.g) / 64;
+  // The lamp absorbs what meets it, 0.16 % at each of 1 / (1 - albedo) reflections.
+  CHECK(mean == Approx(exact).epsilon(0.015));
+}
+
 TEST_CASE("glass in white surroundings is never brighter than white", "[render][furnace]") {
   for (const char* name : {"plate", "plate-beckmann"}) {
     const std::string distribution = name == std::string("plate") ? "ggx" : "beckmann";

@@ -2,6 +2,7 @@
 // with its density.
 #include "render/surface.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -76,6 +77,29 @@ TEST_CASE("all ways of sampling reflect the same share of light", "[render]") {
       }
     }
   }
+}
+
+TEST_CASE("only visible normals keep weights below 1, and Walter's trick lowers the largest",
+          "[render]") {
+  const Vector grazing = normalize_or_up(Vector{1, 0, 0.05f});
+  const auto largest = [&](const std::string& name, Sampling sampling) {
+    const auto material = analytic_surface(name, sampling)->glass({0.3f, 0.3f}, 1.5f);
+    float weight = 0;
+    for (std::uint32_t i = 0; i < 1 << 14; ++i) {
+      SampleSequence numbers(7, i, 0);
+      const auto u = numbers.next_pair();
+      weight = std::max(weight, material->sample(grazing, u, numbers.next()).weight.g);
+    }
+    return weight;
+  };
+  CHECK(largest("beckmann-exact", Sampling::visible) <= 1);
+  CHECK(largest("beckmann-v-cavity", Sampling::visible) <= 1);
+  const float walter = largest("beckmann-exact", Sampling::walter);
+  CHECK(walter > 1);
+  CHECK(largest("beckmann-exact", Sampling::previous) > 1.2f * walter);
+  // With V-cavities the weights of all normals are at most 2 (section 2.2 of the paper).
+  CHECK(largest("beckmann-v-cavity", Sampling::previous) > 1);
+  CHECK(largest("beckmann-v-cavity", Sampling::previous) <= 2.0001f);
 }
 
 TEST_CASE("a sample's weight is the BSDF over the density, for every name and sampling",
