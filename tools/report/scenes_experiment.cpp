@@ -32,7 +32,8 @@ struct FigurePlan {
 };
 
 /// The overcast sky of the CIE (Moon and Spencer 1942), (1 + 2 z) / 3, with a ground as bright as
-/// the horizon. No direction is so bright that finding it by chance would be noise of its own.
+/// the horizon. Under a sun, paths from the ground to it by way of the metal make most of the noise
+/// of a pedestal, and differ by chance more than by how normals are drawn.
 render::Environment overcast_sky() {
   constexpr std::size_t kRows = 128;
   render::Image image{1, kRows};
@@ -57,13 +58,15 @@ std::vector<FigurePlan> plans() {
        .scene = "plate",
        .distribution = "ggx",
        .analytic = "ggx-caps"},
-      {.name = "pedestal-sun",
-       .title = "Figure 2: a pedestal of metal under a sky with a sun",
-       .setup = "A rough metal with GGX slopes of alpha 0.05. Directions are drawn by the surface "
-                "and by the brightness of the sky, and combined by multiple importance sampling.",
+      {.name = "pedestal-mis",
+       .title = "Figure 2: a pedestal of metal",
+       .setup = "A rough metal with GGX slopes of alpha 0.05 under an overcast sky. Directions are "
+                "drawn by the surface and by the brightness of the sky, and combined by multiple "
+                "importance sampling.",
        .scene = "pedestal",
        .distribution = "ggx",
-       .analytic = "ggx-caps"},
+       .analytic = "ggx-caps",
+       .surroundings = overcast_sky()},
       {.name = "plate-beckmann",
        .title = "Figure 9: a plate of Beckmann slopes under a sun",
        .setup =
@@ -74,10 +77,11 @@ std::vector<FigurePlan> plans() {
        .distribution = "beckmann",
        .analytic = "beckmann-exact",
        .smaller = 2},
-      {.name = "pedestal-overcast",
-       .title = "Figure 10: the pedestal under an even sky",
-       .setup = "The metal of Figure 2 under an overcast sky. Directions are drawn by the surface "
-                "alone, so that the noise on the metal is that of its sampling.",
+      {.name = "pedestal",
+       .title = "Figure 10: the pedestal, light found by the surface alone",
+       .setup =
+           "The scene of Figure 2. Directions are drawn by the surface alone, so that the noise "
+           "on the metal is that of its sampling.",
        .scene = "pedestal",
        .distribution = "ggx",
        .analytic = "ggx-caps",

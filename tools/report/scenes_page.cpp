@@ -204,7 +204,8 @@ std::string intro(const ScenesRun& run) {
       "firefly is a pixel whose luminance is beyond {:g} times the reference, that is sqrt(R² + "
       "eps), and the column <i>brightest</i> has the largest of these ratios. The variance ratio "
       "is the relative MSE of the previous method over that of the row. An error near that of the "
-      "reference itself cannot be told from it. All numbers: <a "
+      "reference itself cannot be told from it. Seconds are those of a clock, so that equal times "
+      "are equal work only where nothing else is running. All numbers: <a "
       "href=\"numbers.json\"><code>numbers.json</code></a>.</p>\n",
       escaped(run.program), run.seed, render::kDarkness, render::kFirefly);
 }
