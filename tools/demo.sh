@@ -1,11 +1,12 @@
 #!/bin/sh
 # The main job, from nothing: installs packages, configures, builds, makes the 1024 x 1024 tables of
-# GGX and of Beckmann with their certificates, bakes them, and draws samples from what was baked.
+# GGX and of Beckmann with their certificates, bakes them, and draws samples from what was baked. The
+# arguments are for cmake.
 set -eu
 cd "$(dirname "$0")/.."
 
 sh tools/install_packages.sh
-cmake --preset release -D VNDF_BUILD_TESTS=OFF
+cmake --preset release -D VNDF_BUILD_TESTS=OFF "$@"
 cmake --build --preset release --target tables
 
 for distribution in ggx beckmann; do

@@ -41,6 +41,15 @@ CLI::Validator positive_number() {
   return {rule, ""};
 }
 
+CLI::Validator number_between(double lowest, double highest) {
+  const auto rule = [=](const std::string& text) -> std::string {
+    double number = 0;
+    if (parse(text, number) && number >= lowest && number <= highest) return {};
+    return fmt::format("'{}' is not a number from {:g} to {:g}", text, lowest, highest);
+  };
+  return {rule, ""};
+}
+
 void exclude_others(CLI::App& command, CLI::Option* flag) {
   for (CLI::Option* option : command.get_options())
     if (option != flag && option != command.get_help_ptr()) flag->excludes(option);

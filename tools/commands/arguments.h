@@ -15,6 +15,9 @@ CLI::Validator whole_number(std::uint64_t lowest = 0, std::uint64_t highest = UI
 /// A finite number > 0.
 CLI::Validator positive_number();
 
+/// A number from `lowest` to `highest`.
+CLI::Validator number_between(double lowest, double highest);
+
 /// Makes `flag` exclude every other option of the command but --help: one that would be ignored
 /// beside it is wrong usage.
 void exclude_others(CLI::App& command, CLI::Option* flag);

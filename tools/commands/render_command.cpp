@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -24,7 +22,6 @@
 #include "render/picture.h"
 #include "render/render_image.h"
 #include "render/scenes.h"
-#include "report/report.h"
 #include "vndf/io/atomic_file.h"
 #include "vndf/io/radiance_image.h"
 #include "vndf/support/text.h"
@@ -37,7 +34,10 @@ using render::Sampling;
 using render::SceneChoices;
 
 constexpr std::uint64_t kMostPixels = 16384, kMostSamples = 1u << 24;
-constexpr double kMostSeconds = 1e6;
+constexpr double kLeastSeconds = 1e-3, kMostSeconds = 1e6;
+// Samplers, refraction and reflectance are tested within these.
+constexpr double kLeastAlpha = 1e-4, kMostAlpha = 10, kLeastIndex = 0.1, kMostIndex = 10;
+constexpr double kMostExposure = 1e6;
 
 struct Arguments {
   std::string scene, output, surface = "ggx-caps", sampling = "visible", light = "mis";
@@ -82,16 +82,16 @@ ConductorFresnel<float, 3> metal_of(const std::string& text) {
   const auto eta = support::finite_number(text.substr(0, comma));
   const auto k =
       comma == std::string::npos ? std::nullopt : support::finite_number(text.substr(comma + 1));
-  if (eta && k && *eta > 0 && *k >= 0) {
+  if (eta && k && *eta >= kLeastIndex && *eta <= kMostIndex && *k >= 0 && *k <= kMostIndex) {
     const auto e = static_cast<float>(*eta), i = static_cast<float>(*k);
     return {{e, e, e}, {i, i, i}};
   }
   throw CLI::ValidationError(
       "--metal",
-      fmt::format("{} is neither a metal nor two numbers ETA,K with ETA > 0 and K >= 0{}; "
-                  "known: {}",
-                  support::quoted(text), support::did_you_mean(text, known),
-                  support::listed(known)));
+      fmt::format(
+          "{} is neither a metal nor two numbers ETA,K, ETA from 0.1 to 10 and K from 0 to 10{}; "
+          "known: {}",
+          support::quoted(text), support::did_you_mean(text, known), support::listed(known)));
 }
 
 /// "WIDTHxHEIGHT", or one number for both.
@@ -209,12 +209,12 @@ void add_render(CLI::App& app) {
       ->delimiter(',')
       ->expected(1, 2)
       ->type_name("AX[,AY]")
-      ->check(positive_number());
+      ->check(number_between(kLeastAlpha, kMostAlpha));
   auto* metal = command->add_option("--metal", a->metal,
                                     "copper, gold, silver, or a complex refractive index");
   metal->type_name("NAME|ETA,K");
   command->add_option("--glass", a->glass, "Refractive index of glass")
-      ->check(positive_number())
+      ->check(number_between(kLeastIndex, kMostIndex))
       ->excludes(metal);
   command
       ->add_option("--sampling", a->sampling,
@@ -236,7 +236,7 @@ void add_render(CLI::App& app) {
                       ->check(whole_number(1, kMostSamples))
                       ->capture_default_str();
   command->add_option("--seconds", a->seconds, "Render for this time, in place of --spp")
-      ->check(positive_number() & CLI::Range(0.0, kMostSeconds))
+      ->check(number_between(kLeastSeconds, kMostSeconds))
       ->excludes(samples);
   command->add_option("--size", a->size, "Pixels")->type_name("N|WxH")->capture_default_str();
   command->add_option("--seed", a->seed, "Seed of the random numbers")
@@ -244,7 +244,7 @@ void add_render(CLI::App& app) {
       ->capture_default_str();
   auto* exposure =
       command->add_option("--exposure", a->exposure, "Factor of the radiance in a .png picture");
-  exposure->check(positive_number())->capture_default_str();
+  exposure->check(number_between(1 / kMostExposure, kMostExposure))->capture_default_str();
   add_threads(*command, a->threads);
   command->add_flag("--quiet", a->quiet, "Print nothing but warnings");
   add_force(*command, a->force);
