@@ -6,6 +6,8 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "vndf/version.h"
+
 namespace vndf::tools {
 
 /// Name and version, as written into files.
