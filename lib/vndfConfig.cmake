@@ -4,6 +4,14 @@
 # vndf::vndf, those of the others are vndf::batch and so on.
 include(CMakeFindDependencyMacro)
 
+foreach(component ${vndf_FIND_COMPONENTS})
+  if(vndf_FIND_REQUIRED_${component} AND NOT EXISTS ${CMAKE_CURRENT_LIST_DIR}/vndf-${component}.cmake)
+    set(vndf_FOUND FALSE)
+    set(vndf_NOT_FOUND_MESSAGE "this installation of vndf has no component '${component}'")
+    return()
+  endif()
+endforeach()
+
 # What each component is built on. A component comes before those that it needs.
 set(vndf_components validate precompute distributions io batch support runtime)
 set(vndf_validate_needs precompute)
@@ -47,12 +55,5 @@ foreach(component ${vndf_components})
   if(component IN_LIST vndf_wanted AND EXISTS ${file})
     include(${file})
     set(vndf_${component}_FOUND TRUE)
-  endif()
-endforeach()
-
-foreach(component ${vndf_FIND_COMPONENTS})
-  if(vndf_FIND_REQUIRED_${component} AND NOT vndf_${component}_FOUND)
-    set(vndf_FOUND FALSE)
-    set(vndf_NOT_FOUND_MESSAGE "this installation of vndf has no component '${component}'")
   endif()
 endforeach()
