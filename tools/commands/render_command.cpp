@@ -2,9 +2,6 @@
 // sampler.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
-#include <filesystem>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -53,13 +50,6 @@ struct Arguments {
 
 const std::map<std::string, Sampling> kSamplings{
     {"previous", Sampling::previous}, {"walter", Sampling::walter}, {"visible", Sampling::visible}};
-
-std::string extension_of(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
 
 std::shared_ptr<const render::Surface> surface_of(const Arguments& a) {
   const Sampling sampling = kSamplings.at(a.sampling);

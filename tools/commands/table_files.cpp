@@ -22,11 +22,15 @@ Specification specification_of(const AnyTables& tables) {
 
 }  // namespace
 
-bool names_baked_tables(const std::string& path) {
+std::string extension_of(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
   std::ranges::transform(extension, extension.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".vndf";
+  return extension;
+}
+
+bool names_baked_tables(const std::string& path) {
+  return extension_of(path) == ".vndf";
 }
 
 bool names_a_file(const std::string& argument) {

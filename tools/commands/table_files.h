@@ -14,6 +14,9 @@ namespace vndf::tools {
 
 using AnyTables = std::variant<io::TableFile, KernelTables>;
 
+/// Returns the extension of a name in lower case, with its dot.
+std::string extension_of(const std::string& path);
+
 /// Returns true if the name is that of a file of baked tables: .vndf in either case.
 bool names_baked_tables(const std::string& path);
 

@@ -85,17 +85,14 @@ std::size_t Environment::texel_of(const Vector& w) const {
          step_of(0.5 + right / (2 * kPi), image_.width);
 }
 
-float Environment::pdf_of(std::size_t texel) const {
-  const double weight = black_ ? 1.0 : static_cast<double>(luminance(image_.pixels[texel]));
-  return static_cast<float>(weight / rows_.back());
+Environment::Sample Environment::sample_of(const Vector& w, std::size_t texel) const {
+  const Rgb& radiance = image_.pixels[texel];
+  const double weight = black_ ? 1.0 : static_cast<double>(luminance(radiance));
+  return {w, radiance, static_cast<float>(weight / rows_.back())};
 }
 
-Rgb Environment::radiance(const Vector& w) const {
-  return image_.pixels[texel_of(w)];
-}
-
-float Environment::pdf(const Vector& w) const {
-  return pdf_of(texel_of(w));
+Environment::Sample Environment::toward(const Vector& w) const {
+  return sample_of(w, texel_of(w));
 }
 
 Environment::Sample Environment::sample(float u1, float u2) const {
@@ -108,11 +105,9 @@ Environment::Sample Environment::sample(float u1, float u2) const {
       ((static_cast<double>(column.index) + column.fraction) / static_cast<double>(image_.width) -
        0.5);
   const double sine = std::sqrt((1 - z) * (1 + z));
-  const std::size_t texel = first + column.index;
-  return {{static_cast<float>(sine * std::sin(right)), static_cast<float>(sine * std::cos(right)),
-           static_cast<float>(z)},
-          image_.pixels[texel],
-          pdf_of(texel)};
+  return sample_of({static_cast<float>(sine * std::sin(right)),
+                    static_cast<float>(sine * std::cos(right)), static_cast<float>(z)},
+                   first + column.index);
 }
 
 }  // namespace vndf::render

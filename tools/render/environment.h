@@ -24,9 +24,6 @@ class Environment {
   /// is negative.
   explicit Environment(Image image);
 
-  /// The radiance from the unit direction `w`.
-  Rgb radiance(const Vector& w) const;
-
   struct Sample {
     Vector w;
     Rgb radiance;
@@ -35,13 +32,16 @@ class Environment {
   /// Draws a direction in proportion to luminance, or evenly if all is black. u1 and u2 are in
   /// [0, 1).
   Sample sample(float u1, float u2) const;
-  /// The density of sample() at the unit direction `w`, per solid angle: luminance over its
-  /// integral. Maximum error relative to the exact density: 1e-6.
-  float pdf(const Vector& w) const;
+  /// What sample() gives where it draws the unit direction `w`: its density is luminance over the
+  /// integral of it. Maximum error of the density relative to the exact one: 1e-6.
+  Sample toward(const Vector& w) const;
+  /// The radiance from there, and the density alone.
+  Rgb radiance(const Vector& w) const { return toward(w).radiance; }
+  float pdf(const Vector& w) const { return toward(w).pdf; }
 
  private:
   std::size_t texel_of(const Vector& w) const;
-  float pdf_of(std::size_t texel) const;
+  Sample sample_of(const Vector& w, std::size_t texel) const;
 
   Image image_;
   /// The heights z at which rows begin and end.

@@ -23,37 +23,33 @@ class Lights {
 
   /// Draws a light by `choice`, and a direction to it by `u`, all in [0, 1).
   LightSample sample(const Vector& position, float choice, const Vec2<float>& u) const {
-    if (choice < chance_of_environment()) {
-      const auto drawn = scene_.environment.sample(u.x, u.y);
-      return {drawn.w, drawn.radiance, chance_of_environment() * drawn.pdf,
-              std::numeric_limits<float>::infinity()};
-    }
+    if (choice < chance_of_environment()) return far(scene_.environment.sample(u.x, u.y));
     const Lamp& lamp = *scene_.lamp;
     const Vector way = lamp.corner + u.x * lamp.x + u.y * lamp.y - position;
     const float distance = length(way);
-    const Vector wo = (1 / distance) * way;
-    return {wo, lamp_radiance(wo), lamp_pdf(wo, distance), distance};
+    return toward_lamp((1 / distance) * way, distance);
   }
 
-  /// Density of sample() for a direction to the surroundings, and for one to a point of the lamp at
-  /// `distance`.
-  float environment_pdf(const Vector& wo) const {
-    return chance_of_environment() * scene_.environment.pdf(wo);
+  /// What sample() gives where it draws the direction `wo` to the surroundings, or to a point of
+  /// the lamp at `distance`. The back of the lamp is dark, and is not drawn.
+  LightSample toward_environment(const Vector& wo) const {
+    return far(scene_.environment.toward(wo));
   }
-  float lamp_pdf(const Vector& wo, float distance) const {
+  LightSample toward_lamp(const Vector& wo, float distance) const {
     const Vector normal = cross(scene_.lamp->x, scene_.lamp->y);  // as long as the area is large
     const float seen = -dot(wo, normal);
-    return seen > 0 ? (1 - chance_of_environment()) * distance * distance / seen : 0;
-  }
-
-  /// The radiance of the lamp that comes from the direction `wo`.
-  Rgb lamp_radiance(const Vector& wo) const {
-    const Lamp& lamp = *scene_.lamp;
-    return dot(wo, cross(lamp.x, lamp.y)) < 0 ? lamp.radiance : Rgb{};
+    if (!(seen > 0)) return {wo, Rgb{}, 0, distance};
+    return {wo, scene_.lamp->radiance, (1 - chance_of_environment()) * distance * distance / seen,
+            distance};
   }
 
  private:
   float chance_of_environment() const { return scene_.lamp ? 0.5f : 1.0f; }
+
+  LightSample far(const Environment::Sample& drawn) const {
+    return {drawn.w, drawn.radiance, chance_of_environment() * drawn.pdf,
+            std::numeric_limits<float>::infinity()};
+  }
 
   const Scene& scene_;
 };

@@ -66,13 +66,11 @@ Rgb PathTracer::radiance(Ray ray, SampleSequence& numbers) const {
 
 /// The light of the surroundings or of the lamp that the path has run into.
 Rgb PathTracer::found_light(const Path& path, const std::optional<Hit>& hit) const {
+  if (hit && !on_lamp(*hit)) return {};
   const Vector& w = path.ray.direction;
-  if (!hit)
-    return weight(path.pdf, lights_.environment_pdf(w)) * path.throughput *
-           scene_.environment.radiance(w);
-  if (!on_lamp(*hit)) return {};
-  return weight(path.pdf, lights_.lamp_pdf(w, hit->distance)) * path.throughput *
-         lights_.lamp_radiance(w);
+  const LightSample light =
+      hit ? lights_.toward_lamp(w, hit->distance) : lights_.toward_environment(w);
+  return weight(path.pdf, light.pdf) * path.throughput * light.radiance;
 }
 
 /// The point of a body that the path has run into. Where the smoothed normal faces away from the

@@ -7,6 +7,8 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <stdexcept>
 #include <string>
