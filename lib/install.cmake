@@ -2,11 +2,11 @@
 # pkg-config. None of the files has an absolute path, so the installed folder may be moved.
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/vndf)
-set(rooms support batch io distributions precompute validate)
+set(rooms support batch devices io distributions precompute validate)
 
 # The runtime, with the headers of its folders and those of vndf/support, of which it uses some.
 set(excluded_headers)
-foreach(room batch io distributions precompute validate bench)
+foreach(room batch devices io distributions precompute validate bench)
   list(APPEND excluded_headers PATTERN vndf/${room} EXCLUDE)
 endforeach()
 install(TARGETS vndf EXPORT vndf_runtime)

@@ -30,6 +30,25 @@ target_link_libraries(vndf_batch PUBLIC vndf PRIVATE hwy::hwy)
 # A batch draws what the kernel draws, bit for bit: no target may fuse a product with a sum.
 target_compile_options(vndf_batch PRIVATE -ffp-contract=off)
 
+# The texts that are exported are those of the headers: a change of one makes them again.
+set(VNDF_EMBEDDED_TEXTS)
+foreach(header vec.h kernel_language.h kernel_text.h kernel.h kernel_text/shading_language.h
+               kernel_text/tables.h kernel_text/sample.h kernel_text/map.h kernel_text/evaluate.h)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/vndf/${header})
+  file(READ vndf/${header} text)
+  string(APPEND VNDF_EMBEDDED_TEXTS "    {\"vndf/${header}\", R\"vndf(${text})vndf\"},\n")
+endforeach()
+configure_file(vndf/devices/embedded_text.cpp.in embedded_text.cpp @ONLY)
+vndf_room(vndf_devices
+  ${CMAKE_CURRENT_BINARY_DIR}/embedded_text.cpp
+  vndf/devices/amalgamate.cpp
+  vndf/devices/export_source.cpp
+  vndf/devices/golden_vectors.cpp
+  vndf/devices/kernel_calls.cpp
+  vndf/devices/table_text.cpp
+  vndf/devices/translate.cpp)
+target_link_libraries(vndf_devices PUBLIC vndf)
+
 enable_language(C)  # for FindHDF5
 vndf_needs(io libhdf5-dev HDF5 COMPONENTS C)
 vndf_needs(io libopenexr-dev OpenEXR 3)

@@ -1,7 +1,7 @@
 # find_package(vndf) gives every target that was installed. With COMPONENTS (runtime, support, batch,
-# io, distributions, precompute, validate) it gives those and what they are built on, and looks for
-# the dependencies of no others: COMPONENTS runtime needs nothing. The target of the runtime is
-# vndf::vndf, those of the others are vndf::batch and so on.
+# devices, io, distributions, precompute, validate) it gives those and what they are built on, and
+# looks for the dependencies of no others: COMPONENTS runtime needs nothing. The target of the runtime
+# is vndf::vndf, those of the others are vndf::batch and so on.
 include(CMakeFindDependencyMacro)
 
 foreach(component ${vndf_FIND_COMPONENTS})
@@ -13,12 +13,13 @@ foreach(component ${vndf_FIND_COMPONENTS})
 endforeach()
 
 # What each component is built on. A component comes before those that it needs.
-set(vndf_components validate precompute distributions io batch support runtime)
+set(vndf_components validate precompute distributions io devices batch support runtime)
 set(vndf_validate_needs precompute)
 set(vndf_precompute_needs distributions)
 set(vndf_distributions_needs runtime support)
 set(vndf_io_needs runtime support)
 set(vndf_batch_needs runtime)
+set(vndf_devices_needs runtime)
 
 set(vndf_wanted ${vndf_FIND_COMPONENTS})
 foreach(component ${vndf_components})

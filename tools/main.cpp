@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
   const std::string line = vndf::tools::command_line(argc, argv);
   vndf::tools::add_build(app, line);
   vndf::tools::add_bake(app, line);
+  vndf::tools::add_export(app, line);
   vndf::tools::add_info(app);
   vndf::tools::add_sample(app);
   vndf::tools::add_convert(app);

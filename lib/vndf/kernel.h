@@ -31,11 +31,11 @@ class Kernel;
 class KernelDirection {
  public:
   /// Draws a normal, as Kernel::sample() does.
-  Vec3<float> sample(float u1, float u2) const noexcept {
+  VNDF_DEVICE Vec3<float> sample(float u1, float u2) const noexcept {
     return kernel::vndf_sample(tables_, direction_, u1, u2);
   }
   /// Draws a normal with its density, as Kernel::sample_with_density() does.
-  SampledNormal<float> sample_with_density(float u1, float u2) const noexcept {
+  VNDF_DEVICE SampledNormal<float> sample_with_density(float u1, float u2) const noexcept {
     const auto sampled = kernel::vndf_sample_with_density(tables_, direction_, u1, u2);
     return {sampled.wm, sampled.pdf};
   }
@@ -45,12 +45,12 @@ class KernelDirection {
     const kernel::VndfTables& tables;
     const kernel::VndfDirection& direction;
   };
-  View view() const { return {tables_, direction_}; }
+  VNDF_DEVICE View view() const { return {tables_, direction_}; }
 
  private:
   friend class Kernel;
-  KernelDirection(const kernel::VndfTables& tables, const Vec3<float>& wi,
-                  const Alpha<float>& alpha) noexcept
+  VNDF_DEVICE KernelDirection(const kernel::VndfTables& tables, const Vec3<float>& wi,
+                              const Alpha<float>& alpha) noexcept
       : tables_(tables), direction_(kernel::vndf_at(tables, wi, alpha.x, alpha.y)) {}
 
   // A copy, because normals that are written might change what a reference refers to.
@@ -64,15 +64,15 @@ class Kernel {
   static constexpr bool kVisible = true;
 
   /// For KernelTables::kernel(), which knows that nothing is read outside the block.
-  explicit Kernel(const kernel::VndfTables& tables) : tables_(tables) {}
+  VNDF_DEVICE explicit Kernel(const kernel::VndfTables& tables) : tables_(tables) {}
 
   /// What batches and other languages need of it: the first argument of every function of
   /// kernel_text.h.
-  const kernel::VndfTables& tables() const { return tables_; }
+  VNDF_DEVICE const kernel::VndfTables& tables() const { return tables_; }
 
   /// Step 1: the direction `wi`, stretched, from which many normals can be drawn. Any input is
   /// accepted; the functions of the result then return their fallbacks.
-  KernelDirection at(const Vec3<float>& wi, const Alpha<float>& alpha) const noexcept {
+  VNDF_DEVICE KernelDirection at(const Vec3<float>& wi, const Alpha<float>& alpha) const noexcept {
     return {tables_, wi, alpha};
   }
 
@@ -80,8 +80,8 @@ class Kernel {
   /// the frame of the stretched incident direction; at the exact pole its azimuth is taken as 0.
   /// Returns a unit normal, to kLengthSlack<float>, with wm.z > 0 and dot(wi, wm) >=
   /// -kFacingSlack<float>; (0, 0, 1) for an input outside its range.
-  Vec3<float> sample(const Vec3<float>& wi, const Alpha<float>& alpha, float u1,
-                     float u2) const noexcept {
+  VNDF_DEVICE Vec3<float> sample(const Vec3<float>& wi, const Alpha<float>& alpha, float u1,
+                                 float u2) const noexcept {
     return kernel::vndf_sample_towards(tables_, wi, alpha.x, alpha.y, u1, u2);
   }
 
@@ -90,8 +90,9 @@ class Kernel {
   /// tables: the mean of f(wm) / density is the integral of f over the normals that the map
   /// reaches. The density is >= 0 and finite; 0 for an input outside its range. Where many u give
   /// the same normal it is the largest finite number, and those samples get negligible weight.
-  SampledNormal<float> sample_with_density(const Vec3<float>& wi, const Alpha<float>& alpha,
-                                           float u1, float u2) const noexcept {
+  VNDF_DEVICE SampledNormal<float> sample_with_density(const Vec3<float>& wi,
+                                                       const Alpha<float>& alpha, float u1,
+                                                       float u2) const noexcept {
     return at(wi, alpha).sample_with_density(u1, u2);
   }
 
@@ -107,25 +108,25 @@ class Kernel {
   }
 
   /// Density of normals D(wm) per solid angle; 0 for a horizontal or back-facing normal.
-  float d(const Vec3<float>& wm, const Alpha<float>& alpha) const noexcept {
+  VNDF_DEVICE float d(const Vec3<float>& wm, const Alpha<float>& alpha) const noexcept {
     return kernel::vndf_d(tables_, wm, alpha.x, alpha.y);
   }
 
   /// Smith's Lambda(w) of the direction or its mirror below the horizon; infinite at the
   /// horizon and next to it, where it is beyond the largest float.
-  float lambda(const Vec3<float>& w, const Alpha<float>& alpha) const noexcept {
+  VNDF_DEVICE float lambda(const Vec3<float>& w, const Alpha<float>& alpha) const noexcept {
     return kernel::vndf_lambda(tables_, w, alpha.x, alpha.y);
   }
 
   /// Smith's masking G1(w) = 1 / (1 + Lambda(w)); 0 for an input outside its range.
-  float g1(const Vec3<float>& w, const Alpha<float>& alpha) const noexcept {
+  VNDF_DEVICE float g1(const Vec3<float>& w, const Alpha<float>& alpha) const noexcept {
     return kernel::vndf_g1(tables_, w, alpha.x, alpha.y);
   }
 
   /// Density of the exact distribution per solid angle, D_wi(wm) = dot(wi, wm)+ D(wm) / (wi.z (1 +
   /// Lambda(wi))) (equation 2), finite up to the horizon; 0 for an input outside its range.
-  float pdf(const Vec3<float>& wi, const Vec3<float>& wm,
-            const Alpha<float>& alpha) const noexcept {
+  VNDF_DEVICE float pdf(const Vec3<float>& wi, const Vec3<float>& wm,
+                        const Alpha<float>& alpha) const noexcept {
     return kernel::vndf_pdf(tables_, wi, wm, alpha.x, alpha.y);
   }
 

@@ -3,11 +3,10 @@
 //
 // Compiler vectors are used where there are any, unless VNDF_PORTABLE is defined. The portable
 // struct computes the same bits, operation by operation. Define VNDF_PORTABLE for a whole program
-// or not at all, because functions of both kinds have the same names.
-// nvcc needs the option --expt-relaxed-constexpr, for std::bit_cast.
+// or not at all, because functions of both kinds have the same names. C++17 is enough, because
+// tables are exported to renderers that are no newer.
 #pragma once
 
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -46,10 +45,23 @@
 #define VNDF_COLD_FUNCTION VNDF_FUNCTION
 #endif
 
+/// A member function that device code calls too.
+#ifdef __CUDACC__
+#define VNDF_DEVICE __host__ __device__
+#else
+#define VNDF_DEVICE
+#endif
+
+/// A number that is known when the text is compiled.
+#define VNDF_CONSTANT constexpr
 /// A parameter that a function reads.
 #define VNDF_IN(type) const type&
 /// A condition that hardly ever holds.
+#if __cplusplus >= 202002L
 #define VNDF_RARELY(condition) (condition) [[unlikely]]
+#else
+#define VNDF_RARELY(condition) (condition)
+#endif
 
 #if defined(__GNUC__) && !defined(__CUDACC__) && !defined(VNDF_PORTABLE)
 #define VNDF_VECTORS 1
@@ -123,10 +135,14 @@ VNDF_FUNCTION uint4 make_uint4(uint a, uint b, uint c, uint d) {
 }
 
 VNDF_FUNCTION uint bits_of(float a) {
-  return std::bit_cast<uint>(a);
+  uint bits;
+  std::memcpy(&bits, &a, sizeof bits);
+  return bits;
 }
 VNDF_FUNCTION float float_of(uint a) {
-  return std::bit_cast<float>(a);
+  float value;
+  std::memcpy(&value, &a, sizeof value);
+  return value;
 }
 
 VNDF_FUNCTION float magnitude(float a) {
@@ -271,22 +287,26 @@ struct Guide {
   uint offset;
 };
 
-/// Four coefficients, the k-th of those that begin at `offset`, a multiple of 16.
+/// Four coefficients, the k-th of those that begin at `offset`, a multiple of 16. They are copied,
+/// because the bytes may be of an array of any type.
 VNDF_FUNCTION float4 fetch4(Block block, uint offset, uint k) {
-#if VNDF_VECTORS
-  return reinterpret_cast<const float4*>(block.bytes + offset)[k];
-#else
-  float4 value;
-  std::memcpy(&value, block.bytes + offset + 16 * std::size_t{k}, sizeof value);
-  return value;
+  const void* from = block.bytes + offset + 16 * std::size_t{k};
+#ifdef __GNUC__
+  from = __builtin_assume_aligned(from, 16);
 #endif
+  float4 value;
+  std::memcpy(&value, from, sizeof value);
+  return value;
 }
 
 /// An entry of a guide, at a multiple of 8.
 VNDF_FUNCTION Guide fetch_guide(Block block, uint offset) {
+  const void* from = block.bytes + offset;
+#ifdef __GNUC__
+  from = __builtin_assume_aligned(from, 8);
+#endif
   Guide value;
-  std::memcpy(&value.start, block.bytes + offset, sizeof value.start);
-  std::memcpy(&value.offset, block.bytes + offset + sizeof value.start, sizeof value.offset);
+  std::memcpy(&value, from, sizeof value);
   return value;
 }
 

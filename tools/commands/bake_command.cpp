@@ -8,13 +8,11 @@
 
 #include "commands/arguments.h"
 #include "commands/bake_options.h"
+#include "commands/bake_pair.h"
 #include "commands/commands.h"
-#include "commands/messages.h"
 #include "commands/output_file.h"
-#include "commands/progress.h"
 #include "commands/table_files.h"
 #include "report/report.h"
-#include "vndf/precompute/bake_certified.h"
 
 namespace vndf::tools {
 namespace {
@@ -26,37 +24,13 @@ struct Arguments {
   bool json = false, quiet = false, force = false;
 };
 
-/// Bakes with a certificate that is measured against the distribution. Where that cannot be made
-/// again, the certificate follows from the pair's.
-KernelTables baked(const io::TableFile& pair, const Arguments& a, const std::string& command_line) {
-  const BakeOptions options = options_of(a.baking);
-  KernelText text{pair.tables->distribution, pair.provenance};
-  text.provenance.command += "\n" + command_line;
-  text.provenance.program = kProgram;
-  std::unique_ptr<distributions::SlopeDistribution> distribution;
-  try {
-    distribution = distribution_of(a.input, pair);
-  } catch (const std::exception& e) {
-    const std::string note = fmt::format(
-        "certificate: that of the pair and the differences from it, not measured, for {}",
-        e.what());
-    print_warning(note);
-    text.provenance.notes += note + "\n";
-    return precompute::bake_uncertified(*pair.tables, pair.certificate, options, text);
-  }
-  Progress progress(!a.quiet);
-  progress.begin("baking");
-  const support::Workers workers = progress.workers(a.threads);
-  return precompute::bake_certified(precompute::UnitSlopes(*distribution, workers), *pair.tables,
-                                    options, text, workers);
-}
-
 void bake_file(const Arguments& a, const std::string& command_line) {
   const auto start = std::chrono::steady_clock::now();
   if (!names_baked_tables(a.output))
     throw std::runtime_error(a.output + ": baked tables are written to a .vndf file; give one");
   require_output(a.output, {a.input}, a.force);
-  const KernelTables tables = baked(load_pair(a.input), a, command_line);
+  const KernelTables tables =
+      bake_pair(a.input, load_pair(a.input), a.baking, {command_line, a.threads, !a.quiet});
   save(a.output, tables);
 
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;

@@ -16,6 +16,7 @@ inline constexpr const char* kProgram = "vndf " VNDF_VERSION;
 /// `command_line` is written into the files, for people.
 void add_build(CLI::App& app, const std::string& command_line);
 void add_bake(CLI::App& app, const std::string& command_line);
+void add_export(CLI::App& app, const std::string& command_line);
 void add_info(CLI::App& app);
 void add_sample(CLI::App& app);
 void add_convert(CLI::App& app);

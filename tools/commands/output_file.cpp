@@ -44,8 +44,8 @@ bool is_replaceable(const fs::path& path) {
   if (bytes.empty()) return fs::is_empty(path);  // and not one that cannot be read
   if (bytes.starts_with(kKernelMagic)) return true;
   const auto holds = [&](std::string_view mark) { return bytes.find(mark) != std::string::npos; };
-  return holds(io::kTrailerText) || holds("\"program\": \"vndf ") || holds(io::kSvgMark) ||
-         holds(io::kPngMark) || holds(io::kExrMark);
+  return holds(io::kTrailerText) || holds("\"program\": \"vndf ") || holds(", exported by vndf ") ||
+         holds(io::kSvgMark) || holds(io::kPngMark) || holds(io::kExrMark);
 }
 
 }  // namespace
@@ -76,12 +76,16 @@ std::string json_text(const nlohmann::ordered_json& report) {
   return report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-void write_json(const std::string& path, const nlohmann::ordered_json& report) {
+void write_file(const std::string& path, const std::string& bytes) {
   try {
-    io::replace_file(path, json_text(report) + "\n");
+    io::replace_file(path, bytes);
   } catch (const io::FormatError& error) {
     throw std::runtime_error(path + ": " + error.what());
   }
+}
+
+void write_json(const std::string& path, const nlohmann::ordered_json& report) {
+  write_file(path, json_text(report) + "\n");
 }
 
 void require_printed() {

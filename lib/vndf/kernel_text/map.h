@@ -8,10 +8,10 @@ VNDF_FUNCTION float vndf_column_rate(VNDF_IN(VndfTables) t, float p) {
 
 /// |d place / dq| at a place of u2, which may be mirrored.
 VNDF_FUNCTION float vndf_second_rate(VNDF_IN(VndfTables) t, float place) {
-  float far = float_of(0x3f800000u + t.column_mirror);
+  float apart = float_of(0x3f800000u + t.column_mirror);
   bool mirrored = t.separable == 0u && place > 0.5f * t.column_span;
   if (!mirrored) return vndf_column_rate(t, place);
-  return far * vndf_column_rate(t, t.column_span - place / far);
+  return apart * vndf_column_rate(t, t.column_span - place / apart);
 }
 
 /// The density per solid angle of the normal of a draw, `m` before step 5. Slope x depends on u1
@@ -28,8 +28,8 @@ VNDF_FUNCTION float vndf_draw_density(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirecti
   float droot = magnitude(vndf_rate(draw.marginal, draw.f[0])) * apart *
                 vndf_column_rate(t, draw.places[0] / apart);
   if (t.separable == 0u) {
-    float far = draw.s > t.slope_middle ? float_of(0x3f800000u + t.slope_upper) : 1.0f;
-    droot = droot * magnitude(vndf_rate(draw.map, draw.map_f)) * far;
+    float upper = draw.s > t.slope_middle ? float_of(0x3f800000u + t.slope_upper) : 1.0f;
+    droot = droot * magnitude(vndf_rate(draw.map, draw.map_f)) * upper;
   }
   float dsigma = 2.0f * draw.root * droot;
   float dv =
@@ -68,7 +68,7 @@ struct VndfInverse {
 
 /// How far from the first or the last normal that the map gives another one may be, summed over the
 /// axes, and still be taken for it.
-const float kVndfRangeSlack = 1.52587890625e-5f;  // 2^-16
+VNDF_CONSTANT float kVndfRangeSlack = 1.52587890625e-5f;  // 2^-16
 
 /// Inverse of steps 3 and 4: sigma of slope x, and slope y over its scale.
 VNDF_FUNCTION vec2 vndf_slope_of(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w, vec3 m) {
@@ -76,8 +76,8 @@ VNDF_FUNCTION vec2 vndf_slope_of(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w
   float p = -m.x / w.alpha_x, q = -m.y / w.alpha_y;
   float x = (w.x * p + w.y * q) / h, y = (w.x * q - w.y * p) / h;
   // x over z U, as in bounded_cotangent() of table_coordinates.h.
-  float z = m.z * t.unit, far = magnitude(x);
-  float upper = far + square_root(far * far + z * z);
+  float z = m.z * t.unit, steep = magnitude(x);
+  float upper = steep + square_root(steep * steep + z * z);
   float part = 1.0f / (upper + z);
   float d = (upper * part) * (z * part);
   float sigma = x < 0.0f ? z * part : upper * part;

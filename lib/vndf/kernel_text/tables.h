@@ -52,19 +52,20 @@ struct VndfDraw {
   float v;         ///< slope y over its scale
 };
 
-const float kVndfLeastU = 2.98023224e-8f;  // 2^-25
-const float kVndfMostU = 0.999999940395f;  // 1 - 2^-24
+VNDF_CONSTANT float kVndfLeastU = 2.98023224e-8f;  // 2^-25
+VNDF_CONSTANT float kVndfMostU = 0.999999940395f;  // 1 - 2^-24
 // Between these h^2 has all its digits and no product with it overflows.
-const float kVndfShortest = 1e-12f;
-const float kVndfLongest = 1e12f;
-const float kVndfLeast = 1.17549435e-38f;    // the least number that has all its digits
-const float kVndfLargest = 3.402823466e38f;  // the largest; a density where many u give one normal
-const float kVndfFarthest = 1.26765060e30f;  // 2^100; curves take slopes beyond it for it
+VNDF_CONSTANT float kVndfShortest = 1e-12f;
+VNDF_CONSTANT float kVndfLongest = 1e12f;
+VNDF_CONSTANT float kVndfLeast = 1.17549435e-38f;  // the least number that has all its digits
+VNDF_CONSTANT float kVndfLargest =
+    3.402823466e38f;  // the largest; a density where many u give one normal
+VNDF_CONSTANT float kVndfFarthest = 1.26765060e30f;  // 2^100; curves take slopes beyond it for it
 // The kind of tables that a function is compiled for. Plain tables are separable, without a rim,
 // and have columns by q, which saves instructions; the functions for any tables are right for all.
-const uint kVndfPlain = 0u;
-const uint kVndfAny = 1u;
-const uint kVndfSign = 0x80000000u;
+VNDF_CONSTANT uint kVndfPlain = 0u;
+VNDF_CONSTANT uint kVndfAny = 1u;
+VNDF_CONSTANT uint kVndfSign = 0x80000000u;
 
 /// Whether `a` is in [low, high), both positive. One comparison of bits tells, also where `a` is
 /// not a number, because the bits of positive numbers are ordered as they are.
@@ -86,17 +87,18 @@ VNDF_FUNCTION VndfCell vndf_cell(VNDF_IN(VndfTables) t, uint guide, uint shift, 
   return cell;
 }
 
-/// The cubic of a patch at the place `g` in its row: a patch is a cubic in g of cubics.
-VNDF_FUNCTION float4 vndf_blend(VNDF_IN(VndfTables) t, uint patch, float g) {
-  float4 low = fetch4(t.block, patch, 0u) + g * fetch4(t.block, patch, 1u);
-  float4 high = fetch4(t.block, patch, 2u) + g * fetch4(t.block, patch, 3u);
+/// The cubic of the patch whose coefficients begin at `first`, at the place `g` in its row: a patch
+/// is a cubic in g of cubics.
+VNDF_FUNCTION float4 vndf_blend(VNDF_IN(VndfTables) t, uint first, float g) {
+  float4 low = fetch4(t.block, first, 0u) + g * fetch4(t.block, first, 1u);
+  float4 high = fetch4(t.block, first, 2u) + g * fetch4(t.block, first, 3u);
   return low + (g * g) * high;
 }
 
 /// The values of two cubics, of `a` at f[0] in lane 0 and of `b` at f[2] in lane 2.
 VNDF_FUNCTION float4 vndf_values(float4 a, float4 b, float4 f) {
-  float4 linear = low_halves(a, b) + f * high_halves(a, b);
-  return linear + (f * f) * odd_lanes(linear);
+  float4 lines = low_halves(a, b) + f * high_halves(a, b);
+  return lines + (f * f) * odd_lanes(lines);
 }
 
 /// The value of a cubic at f.
