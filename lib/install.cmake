@@ -1,6 +1,9 @@
 # What is installed: each room with its headers, a package for find_package(vndf) and one for
-# pkg-config. None of the files has an absolute path, so the installed folder may be moved.
+# pkg-config. None of the files has an absolute path, so the installed folder may be moved. It is in
+# two parts, which `cmake --install BUILD --component PART` and packages.cmake tell apart: runtime, and
+# dev for the other rooms.
 include(CMakePackageConfigHelpers)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME runtime)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/vndf)
 set(rooms support batch devices io distributions precompute validate)
 
@@ -14,15 +17,6 @@ install(EXPORT vndf_runtime NAMESPACE vndf:: FILE vndf-runtime.cmake DESTINATION
 install(DIRECTORY vndf ${CMAKE_CURRENT_BINARY_DIR}/vndf DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
         FILES_MATCHING PATTERN "*.h" PATTERN "*-inl.h" EXCLUDE ${excluded_headers})
 
-foreach(room ${rooms})
-  if(TARGET vndf_${room})
-    install(TARGETS vndf_${room} EXPORT vndf_${room})
-    install(EXPORT vndf_${room} NAMESPACE vndf:: FILE vndf-${room}.cmake DESTINATION ${package_dir})
-    install(DIRECTORY vndf/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/vndf
-            FILES_MATCHING PATTERN "*.h" PATTERN "*-inl.h" EXCLUDE)
-  endif()
-endforeach()
-
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/vndfConfigVersion.cmake
                                  COMPATIBILITY SameMinorVersion)
 install(FILES vndfConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/vndfConfigVersion.cmake
@@ -34,3 +28,15 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/vndf.pc DESTINATION ${CMAKE_INSTALL_LI
 
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/tables/FORMAT.md
         DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME dev)
+foreach(room ${rooms})
+  if(TARGET vndf_${room})
+    install(TARGETS vndf_${room} EXPORT vndf_${room})
+    install(EXPORT vndf_${room} NAMESPACE vndf:: FILE vndf-${room}.cmake DESTINATION ${package_dir})
+    if(NOT room STREQUAL "support")  # whose headers are in the runtime
+      install(DIRECTORY vndf/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/vndf
+              FILES_MATCHING PATTERN "*.h" PATTERN "*-inl.h" EXCLUDE)
+    endif()
+  endif()
+endforeach()

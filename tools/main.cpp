@@ -1,17 +1,22 @@
 // The vndf program: parses the command line, calls the library, prints. Exit status 0, 1 after a
 // failure (one line on standard error) or a sampler that does not pass, and 2 for wrong usage.
 #include <exception>
+#include <memory>
 #include <string>
 
 #include "commands/command_line.h"
 #include "commands/commands.h"
+#include "commands/help_text.h"
 #include "commands/messages.h"
 #include "commands/output_file.h"
 
 int main(int argc, char** argv) {
   CLI::App app{
       "Tables for sampling the visible normals of any slope distribution.\n"
-      "Build them once, load them in a renderer, sample at any roughness and incidence."};
+      "Build them once, load them in a renderer, sample at any roughness and incidence.\n"
+      "`vndf COMMAND --help` and the page vndf-COMMAND(1) explain each command.",
+      "vndf"};
+  app.formatter(std::make_shared<vndf::tools::HelpText>());
   app.set_version_flag("--version", vndf::tools::kProgram);
   app.require_subcommand(1);
   app.fallthrough(false);

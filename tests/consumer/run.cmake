@@ -3,9 +3,13 @@
 #   add_subdirectory  a CMake project with SOURCE inside
 #   compiler          the COMPILER alone with an installed copy of BUILD, no CMake package
 #   runtime           both, with the runtime alone, built where no other package can be found
+#   packages          a CMake project with the runtime's package, which is looked into as are the others
 # Installed copies are moved before they are used.
+cmake_minimum_required(VERSION 3.25)
 set(work ${BUILD}/consumer-${WAY})
 set(installed ${work}/moved)
+include(${CMAKE_CURRENT_LIST_DIR}/packages.cmake)
+
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE status)
   if(NOT status EQUAL 0)
@@ -46,16 +50,28 @@ function(compile_headers)
 endfunction()
 
 file(REMOVE_RECURSE ${work})
+set(nothing)  # with which no other package is found
+foreach(package Threads hwy HDF5 OpenEXR ZLIB PNG TIFF Boost muparser CLI11 fmt nlohmann_json
+                benchmark Catch2 Doxygen embree)
+  list(APPEND nothing -D CMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
+endforeach()
 if(WAY STREQUAL "runtime")
-  set(nothing)
-  foreach(package Threads hwy HDF5 OpenEXR ZLIB PNG TIFF Boost muparser CLI11 fmt nlohmann_json
-                  benchmark Catch2 Doxygen embree)
-    list(APPEND nothing -D CMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
-  endforeach()
   run(${CMAKE_COMMAND} -S ${SOURCE} -B ${work}/runtime -G ${GENERATOR} -D VNDF_RUNTIME_ONLY=ON
       -D CMAKE_BUILD_TYPE=${CONFIG} -D CMAKE_CXX_COMPILER=${COMPILER} ${nothing})
   run(${CMAKE_COMMAND} --build ${work}/runtime --parallel)
+  make_packages(${work}/runtime TGZ)
+  if(NOT components STREQUAL "runtime")
+    message(FATAL_ERROR "packages of the runtime alone: ${components}")
+  endif()
   install(${work}/runtime)
+  compile_headers()
+  build_consumer("runtime_only;render" -D CONSUMER_WAY=find_package -D VNDF_COMPONENTS=runtime
+                 -D CMAKE_PREFIX_PATH=${installed} ${nothing})
+  return()
+endif()
+
+if(WAY STREQUAL "packages")
+  check_packages()
   compile_headers()
   build_consumer("runtime_only;render" -D CONSUMER_WAY=find_package -D VNDF_COMPONENTS=runtime
                  -D CMAKE_PREFIX_PATH=${installed} ${nothing})

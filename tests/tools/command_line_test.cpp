@@ -57,6 +57,21 @@ TEST_CASE("help of the program and of every subcommand explains itself") {
   }
 }
 
+TEST_CASE("help tells the value of an option, its default, and what it cannot be beside") {
+  const Folder folder;
+  const std::string help = folder.run("build --help").out;
+  CHECK_THAT(help, contains("Usage: vndf build [OPTIONS] [distribution]"));
+  CHECK_THAT(help, contains("  -o, --output FILE           File to write"));
+  CHECK_THAT(help, contains("  --precision {single,double} \n"));  // one blank would end it
+  CHECK_THAT(help, contains("  --threads NUMBER            ") && contains("(default 0)"));
+  CHECK_THAT(help, contains("as one JSON object; not with --quiet\n"));
+  CHECK_THAT(help, !contains("not with --list"));
+  CHECK_THAT(folder.run("experiment variance --help").out, contains("(default 30,180)"));
+  CHECK_THAT(folder.run("info --help").out, contains("Usage: vndf info [OPTIONS] file\n"));
+  CHECK_THAT(folder.run("--help").out, contains("  info                        Show what") &&
+                                           !contains("errors that were measured"));
+}
+
 TEST_CASE("build writes the file and reports its certificate") {
   const Folder folder;
   const Result r = folder.run("build ggx -o ggx.h5 --size 32");

@@ -48,10 +48,18 @@ void bake_file(const Arguments& a, const std::string& command_line) {
 
 void add_bake(CLI::App& app, const std::string& command_line) {
   auto* command = app.add_subcommand(
-      "bake", "Turn the tables of a file into those that renderers sample from (.vndf)");
+      "bake",
+      "Turn the tables of a file into those that renderers sample from (.vndf)\n\n"
+      "Baked tables take 20 to 200 KiB in place of 8 MiB, and are faster to sample. They differ "
+      "from "
+      "the pair by at most --tolerance. If that takes more than --max-bytes, what could be reached "
+      "is "
+      "said, and nothing is written.");
   const auto arguments = std::make_shared<Arguments>();
   command->add_option("input", arguments->input, "Table file to read: .h5 or .exr")->required();
-  command->add_option("-o,--output", arguments->output, "File to write: .vndf")->required();
+  command->add_option("-o,--output", arguments->output, "File to write: .vndf")
+      ->type_name("FILE")
+      ->required();
   add_bake_options(*command, arguments->baking);
   add_force(*command, arguments->force);
   add_threads(*command, arguments->threads);

@@ -26,14 +26,17 @@ CLI::Validator tolerance_rule() {
 void add_bake_options(CLI::App& command, BakeArguments& arguments) {
   const BakeOptions defaults;
   command
-      .add_option("--tolerance", arguments.tolerance,
-                  fmt::format("Of baked tables (.vndf): largest difference from the pair, in u; {}",
-                              defaults.tolerance))
+      .add_option(
+          "--tolerance", arguments.tolerance,
+          fmt::format(
+              "Of baked tables (.vndf): largest difference from the pair, in u (default {})",
+              defaults.tolerance))
       ->check(tolerance_rule());
   command
-      .add_option("--max-bytes", arguments.max_bytes,
-                  fmt::format("Of baked tables (.vndf): most bytes that sampling reads; {}",
-                              defaults.max_bytes))
+      .add_option(
+          "--max-bytes", arguments.max_bytes,
+          fmt::format("Of baked tables (.vndf): most bytes that sampling reads (default {})",
+                      defaults.max_bytes))
       ->check(whole_number(1));
 }
 

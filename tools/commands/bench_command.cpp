@@ -58,7 +58,10 @@ void run_bench(const BenchArguments& arguments) {
 
 void add_bench(CLI::App& app) {
   auto* command =
-      app.add_subcommand("bench", "Time every sampler, tabulated or not, beside its errors");
+      app.add_subcommand("bench",
+                         "Time every sampler, tabulated or not, beside its errors\n\n"
+                         "Times are those of one core. They are compared with spherical caps for "
+                         "GGX, which are timed in the same rounds.");
   const auto arguments = std::make_shared<BenchArguments>();
   command->add_option("files", arguments->files,
                       "Files of tables to time, .h5, .exr or .vndf, instead of distributions");
@@ -71,9 +74,12 @@ void add_bench(CLI::App& app) {
                    "Rounds, each of which times every sampler once")
       ->check(whole_number(1, 1000000))
       ->capture_default_str();
-  command->add_option("--json", arguments->json, "Write all figures to this file");
-  command->add_option("--plot", arguments->plot,
-                      "Draw speed against size: .svg or .png (needs gnuplot)");
+  command->add_option("--json", arguments->json, "Write all figures to this file")
+      ->type_name("FILE");
+  command
+      ->add_option("--plot", arguments->plot,
+                   "Draw speed against size: .svg or .png (needs gnuplot)")
+      ->type_name("FILE");
   add_force(*command, arguments->force);
   command->add_flag("--quick", arguments->quick,
                     "Few sizes, short timings: to see that it runs, not for figures");

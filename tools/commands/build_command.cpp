@@ -140,12 +140,21 @@ void build(const BuildArguments& arguments, const std::string& command_line) {
 }  // namespace
 
 void add_build(CLI::App& app, const std::string& command_line) {
-  auto* command = app.add_subcommand("build", "Build the tables of a slope distribution");
+  auto* command = app.add_subcommand("build",
+                                     "Build the tables of a slope distribution\n\n"
+                                     "The distribution has a name, or it is given as a formula, as "
+                                     "a measured profile or as a normal "
+                                     "map. The ending of the output's name chooses what is "
+                                     "written: the pair of tables (.h5, .exr), "
+                                     "or tables baked from it, from which renderers sample "
+                                     "(.vndf). Their errors are measured, and "
+                                     "are stored with them.");
   const auto arguments = std::make_shared<BuildArguments>();
   add_source_options(*command, arguments->source);
-  command->add_option(
-      "-o,--output", arguments->output,
-      "File to write: .h5 (HDF5) or .exr (OpenEXR), or .vndf (baked, for renderers)");
+  command
+      ->add_option("-o,--output", arguments->output,
+                   "File to write: .h5 (HDF5) or .exr (OpenEXR), or .vndf (baked, for renderers)")
+      ->type_name("FILE");
   command->add_option("--size", arguments->size, "Nodes per axis, N or NTHETAxNU, of both tables")
       ->capture_default_str()
       ->check(CLI::Validator(size_rule, "N|NTHETAxNU"));

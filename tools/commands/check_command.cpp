@@ -100,7 +100,11 @@ bool check_and_report(const CheckArguments& a) {
 
 void add_check(CLI::App& app) {
   auto* command = app.add_subcommand(
-      "check", "Check the samples of any sampler; status 1 if rejected, 2 if unusable");
+      "check",
+      "Check the samples of any sampler\n\n"
+      "The program that is checked writes what its sampler was given and what it returned, one "
+      "sample a line. The status is 1 if the samples are rejected, and 2 if the file cannot be "
+      "used.");
   const auto a = std::make_shared<CheckArguments>();
   command
       ->add_option("records", a->records,
@@ -120,7 +124,8 @@ void add_check(CLI::App& app) {
       ->check(positive_number())
       ->capture_default_str();
   add_threads(*command, a->threads);
-  auto* json = command->add_option("--json", a->json, "Write the verdict to this file too");
+  auto* json = command->add_option("--json", a->json, "Write the verdict to this file too")
+                   ->type_name("FILE");
   add_force(*command, a->force);
   command->get_option("--force")->needs(json);
   command->callback([a, command] {

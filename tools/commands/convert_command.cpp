@@ -44,7 +44,10 @@ void add_convert(CLI::App& app) {
     std::string input, output;
     bool force = false;
   };
-  auto* command = app.add_subcommand("convert", "Copy tables to another format, bit for bit");
+  auto* command = app.add_subcommand(
+      "convert",
+      "Copy tables to another format, bit for bit\n\n"
+      "The endings of the names choose the formats: HDF5 (.h5) and OpenEXR (.exr) of a pair.");
   const auto arguments = std::make_shared<Arguments>();
   command->add_option("input", arguments->input, "Table file to read")->required();
   command

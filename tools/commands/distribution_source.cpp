@@ -164,6 +164,7 @@ void add_source_options(CLI::App& command, SourceArguments& a) {
   command.add_option("--frozen-at", a.frozen_at, "Take the surface of this alpha as the shape")
       ->group(group);
   command.add_option("--profile", a.profile, "CSV file with columns r,p22 or theta,D")
+      ->type_name("FILE")
       ->group(group);
   command.add_option("--tail", a.tail, "What a profile does beyond its last sample (default none)")
       ->check(CLI::IsMember({"none", "exponential", "power"}))
@@ -172,6 +173,7 @@ void add_source_options(CLI::App& command, SourceArguments& a) {
       ->group(group);
   command
       .add_option("--normal-map", a.map, "EXR, PNG or TIFF file of normals, or EXR file of slopes")
+      ->type_name("FILE")
       ->group(group);
   command
       .add_option("--encoding", a.encoding,

@@ -187,11 +187,16 @@ void add_numbers(CLI::App& command, const std::string& name, std::vector<double>
 
 void add_variance_experiment(CLI::App& experiments) {
   auto* command = experiments.add_subcommand(
-      "variance", "Compare how fast ways of sampling a rough metal converge, for one pixel");
+      "variance",
+      "Compare how fast ways of sampling a rough metal converge, for one pixel\n\n"
+      "This is the experiment of Figure 10 of Heitz and d'Eon 2014. All ways have the same mean, "
+      "so "
+      "that what counts is the variance.");
   const auto a = std::make_shared<VarianceArguments>();
   auto* distribution = command->add_option("--distribution", a->distribution,
                                            "Named distribution, as for vndf build");
   auto* tables = command->add_option("--tables", a->tables, "Table file, in place of a name");
+  tables->type_name("FILE");
   distribution->excludes(tables);
   add_numbers(*command, "--alpha", a->alpha, "Roughness along x and y", {1, 2}, "AX[,AY]");
   command->add_option("--theta", a->theta, "Angle of incidence in degrees, 0 to 90")
@@ -223,7 +228,7 @@ void add_variance_experiment(CLI::App& experiments) {
 }  // namespace
 
 void add_experiment(CLI::App& app) {
-  auto* group = app.add_subcommand("experiment", "Experiments with samplers");
+  auto* group = app.add_subcommand("experiment", "Compare ways of sampling by experiments");
   group->require_subcommand(1);
   add_variance_experiment(*group);
   add_scenes_experiment(*group);

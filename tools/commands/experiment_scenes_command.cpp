@@ -76,7 +76,11 @@ void run_scenes(const ScenesArguments& a) {
 
 void add_scenes_experiment(CLI::App& group) {
   auto* command = group.add_subcommand(
-      "scenes", "Render scenes with every way of drawing normals, as a page with their data");
+      "scenes",
+      "Render scenes with every way of drawing normals, as a page with their data\n\n"
+      "The pictures are those of Figures 1, 2, 9 and 10 of Heitz and d'Eon 2014, at equal samples "
+      "and "
+      "at equal time.");
   const auto a = std::make_shared<ScenesArguments>();
   command->add_option("folder", a->folder, "Folder of the page; an earlier one is replaced")
       ->required();

@@ -15,7 +15,10 @@ void add_info(CLI::App& app) {
     std::string file;
     bool json = false;
   };
-  auto* command = app.add_subcommand("info", "Show what a table file holds and its certificate");
+  auto* command = app.add_subcommand(
+      "info",
+      "Show what a table file holds and its certificate\n\n"
+      "The certificate has the errors that were measured when the tables were made.");
   const auto arguments = std::make_shared<Arguments>();
   command->add_option("file", arguments->file, "Table file")->required();
   command->add_flag("--json", arguments->json, "Print one JSON object");

@@ -117,6 +117,7 @@ void add_picture(CLI::App& app) {
   const auto arguments = std::make_shared<PictureArguments>();
   command->add_option("file", arguments->file, "Table file")->required();
   command->add_option("-o,--output", arguments->output, "Picture to write: .png or .svg")
+      ->type_name("FILE")
       ->required();
   add_force(*command, arguments->force);
   command->callback([arguments] {

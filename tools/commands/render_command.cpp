@@ -183,12 +183,17 @@ std::string scene_help() {
 }  // namespace
 
 void add_render(CLI::App& app) {
-  auto* command = app.add_subcommand("render", "Render a scene with a rough surface");
+  auto* command = app.add_subcommand("render",
+                                     "Render a scene with a rough surface\n\n"
+                                     "A small path tracer shows what a distribution does to a "
+                                     "surface. The same seed gives the same "
+                                     "picture, whatever the number of threads.");
   const auto a = std::make_shared<Arguments>();
   command->add_option("scene", a->scene, scene_help())->required();
   command
       ->add_option("-o,--output", a->output,
                    "Picture to write: .exr, or .png for a tone-mapped one")
+      ->type_name("FILE")
       ->required();
   command
       ->add_option(

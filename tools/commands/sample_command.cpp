@@ -153,7 +153,11 @@ void sample(const SampleArguments& arguments) {
 }  // namespace
 
 void add_sample(CLI::App& app) {
-  auto* command = app.add_subcommand("sample", "Draw visible normals from a table file");
+  auto* command = app.add_subcommand("sample",
+                                     "Draw visible normals from a table file\n\n"
+                                     "Each is a line of a CSV table: the random numbers, the "
+                                     "slopes, the normal and its density per "
+                                     "solid angle, in single precision as renderers have them.");
   const auto a = std::make_shared<SampleArguments>();
   command->add_option("file", a->file, "Table file")->required();
   auto* wi = command->add_option("--wi", a->wi, "Incident direction, z >= 0; scaled to length 1");

@@ -118,8 +118,11 @@ bool validate_all(const ValidateArguments& a) {
 }  // namespace
 
 void add_validate(CLI::App& app) {
-  auto* command = app.add_subcommand(
-      "validate", "Check samplers against their exact distribution; status 1 if one fails");
+  auto* command = app.add_subcommand("validate",
+                                     "Check samplers against their exact distribution\n\n"
+                                     "The checks look for errors of the normals, of their "
+                                     "densities and of their distribution. The "
+                                     "status is 1 if a sampler fails.");
   const auto a = std::make_shared<ValidateArguments>();
   command->add_option("samplers", a->samplers, "Table files and names of reference samplers");
   auto* quick = command->add_flag("--quick", a->quick, "Seconds, fewer places and samples");
@@ -127,11 +130,14 @@ void add_validate(CLI::App& app) {
   command->add_option("--seed", a->seed, "Seed of the random numbers; a fresh one where not given")
       ->check(whole_number());
   add_threads(*command, a->threads);
-  auto* json = command->add_option("--json", a->json, "Write the verdicts to this file too");
+  auto* json = command->add_option("--json", a->json, "Write the verdicts to this file too")
+                   ->type_name("FILE");
   add_force(*command, a->force);
   command->get_option("--force")->needs(json);
-  command->add_option("--report", a->report,
-                      "Write a page with pictures and their data to this folder (needs gnuplot)");
+  command
+      ->add_option("--report", a->report,
+                   "Write a page with pictures and their data to this folder (needs gnuplot)")
+      ->type_name("FOLDER");
   exclude_others(*command,
                  command->add_flag("--list", a->list, "List the reference samplers and stop"));
   command->callback([a] {
