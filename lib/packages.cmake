@@ -1,5 +1,5 @@
-# The packages that `cpack -G DEB` and `cpack -G TGZ` make in a build folder, one for each part of what
-# is installed: vndf-runtime, vndf-dev and vndf-tools.
+# The packages that `cpack -G DEB` and `cpack -G TGZ` make in a build folder, one for each part of
+# what is installed: vndf-runtime, vndf-dev and vndf-tools.
 set(CPACK_COMPONENTS_ALL runtime)
 if(NOT VNDF_RUNTIME_ONLY)
   list(APPEND CPACK_COMPONENTS_ALL dev)
@@ -28,11 +28,12 @@ set(CPACK_COMPONENT_TOOLS_DESCRIPTION
     "The program, which builds and bakes tables, samples from them, renders with
 them, and validates samplers.")
 
-# What vndfConfig.cmake looks for.
+# What vndfConfig.cmake looks for, and Boost, which headers include.
 set(CPACK_COMPONENT_DEV_DEPENDS runtime)
 set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
-    "libhdf5-dev, libhwy-dev, libmuparser-dev, libopenexr-dev, libpng-dev, libtiff-dev, zlib1g-dev")
+    "libboost-dev, libhdf5-dev, libhwy-dev, libmuparser-dev, libopenexr-dev, libpng-dev, \
+libtiff-dev, zlib1g-dev")
 find_program(VNDF_SHLIBDEPS dpkg-shlibdeps)
 mark_as_advanced(VNDF_SHLIBDEPS)
 if(VNDF_SHLIBDEPS)

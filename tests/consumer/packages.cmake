@@ -70,7 +70,7 @@ ${cmake}-(batch|devices|distributions|io|precompute|support|validate)(|-[a-z]+).
     endif()
   endforeach()
   if(dpkg_deb)
-    check_dependencies(dev "vndf-runtime .= [0-9.]+., libhdf5-dev, libhwy-dev, libmuparser-dev")
+    check_dependencies(dev "vndf-runtime .= [0-9.]+., libboost-dev, libhdf5-dev, libhwy-dev")
   endif()
   if(dpkg_deb AND dpkg_shlibdeps AND "tools" IN_LIST components)
     check_dependencies(tools ".*libhdf5-[0-9]+")
