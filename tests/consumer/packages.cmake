@@ -63,8 +63,8 @@ function(check_packages)
 ${cmake}(Config|ConfigVersion|-runtime|-runtime-[a-z]+).cmake|lib/pkgconfig/vndf.pc|\
 share/doc/vndf/(LICENSE|FORMAT.md)")
     check_files(${kind} dev "lib/libvndf_io.a;include/vndf/precompute/build_tables.h"
-        "include/vndf/(batch|devices|distributions|io|precompute|validate)/[a-z0-9_/]+.h|lib/libvndf_[a-z]+.a|\
-${cmake}-(batch|devices|distributions|io|precompute|support|validate)(|-[a-z]+).cmake")
+        "include/vndf/(batch|devices|distributions|io|precompute|validate)/[a-z0-9_/]+.h|\
+lib/libvndf_[a-z]+.a|${cmake}-(batch|devices|distributions|io|precompute|support|validate)(|-[a-z]+).cmake")
     if("tools" IN_LIST components)
       check_files(${kind} tools "bin/vndf" "bin/vndf|share/man/man1/vndf(-[a-z]+)*.1.gz")
     endif()

@@ -67,6 +67,7 @@ TEST_CASE("help tells the value of an option, its default, and what it cannot be
   CHECK_THAT(help, contains("as one JSON object; not with --quiet\n"));
   CHECK_THAT(help, !contains("not with --list"));
   CHECK_THAT(folder.run("experiment variance --help").out, contains("(default 30,180)"));
+  CHECK_THAT(folder.run("export --help").out, contains("  --as {header,cuda,"));
   CHECK_THAT(folder.run("info --help").out, contains("Usage: vndf info [OPTIONS] file\n"));
   CHECK_THAT(folder.run("--help").out, contains("  info                        Show what") &&
                                            !contains("errors that were measured"));

@@ -1,6 +1,7 @@
 // Help in the form of manual pages.
 #include "commands/help_text.h"
 
+#include <regex>
 #include <sstream>
 
 namespace vndf::tools {
@@ -14,11 +15,13 @@ bool stands_alone(const CLI::Option& option) {
   return option.get_excludes().size() > kMostExcluded;
 }
 
-/// The word for a value: what a rule says of it, as in "TEXT:{single,double}", or its type.
+/// The word for a value: what a rule says of it, as in "TEXT:{single,double}", or its type. CLI11
+/// writes a choice with what stands for it in the program, as in "{single->0,double->1}".
 std::string value_word(const std::string& type) {
   const auto colon = type.find(':');
-  if (colon != std::string::npos) return type.substr(colon + 1);
-  return type == "FLOAT" || type == "UINT" || type == "INT" ? "NUMBER" : type;
+  const std::string word = type.substr(colon == std::string::npos ? 0 : colon + 1);
+  if (word == "FLOAT" || word == "UINT" || word == "INT") return "NUMBER";
+  return std::regex_replace(word, std::regex("->[^,}]*"), "");
 }
 
 /// CLI11 has lists in brackets.
