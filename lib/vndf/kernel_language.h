@@ -258,6 +258,13 @@ VNDF_FUNCTION float4 square_root(VNDF_IN(float4) a) {
 }
 #endif
 
+/// 0 for a number from 0 to one half, 1 for one above up to 1: adding and taking away 1.5 x 2^23
+/// rounds.
+VNDF_FUNCTION float4 nearest_whole(VNDF_IN(float4) a) {
+  float4 large = make4(12582912.0f, 12582912.0f, 12582912.0f, 12582912.0f);
+  return (a + large) - large;
+}
+
 /// 2^a.
 VNDF_FUNCTION float power_of_two(float a) {
   return std::exp2(a);

@@ -136,6 +136,9 @@ inline float4 larger(const float4& a, const float4& b) {
 inline float4 square_root(const float4& a) {
   return each([&](int k) { return square_root(a[k]); });
 }
+inline float4 nearest_whole(const float4& a) {
+  return each([&](int k) { return a[k] > 0.5f ? Number(1) : Number(0); });
+}
 inline uint4 bits_of(const float4& a) {
   return make_uint4(bits_of(a[0]), bits_of(a[1]), bits_of(a[2]), bits_of(a[3]));
 }

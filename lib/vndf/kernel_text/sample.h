@@ -84,12 +84,10 @@ VNDF_FUNCTION bool vndf_separable(VNDF_IN(VndfTables) t, uint kind) {
 VNDF_FUNCTION VndfDraw vndf_draw_as(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) d, float u1,
                                     float u2, uint kind) {
   VndfDraw draw;
-  // Adding and taking away 1.5 x 2^23 rounds to a whole number: q = u below one half, u - 1 above.
-  float4 whole = make4(12582912.0f, 12582912.0f, 12582912.0f, 12582912.0f);
   float4 least = make4(kVndfLeastU, kVndfLeastU, kVndfLeastU, kVndfLeastU);
   float4 most = make4(kVndfMostU, kVndfMostU, kVndfMostU, kVndfMostU);
   float4 u = smaller(larger(make4(u1, u1, u2, u2), least), most);
-  float4 q = u - ((u + whole) - whole);
+  float4 q = u - nearest_whole(u);  // u below one half, u - 1 above
   draw.upper = sign_mask(q);
   if (kind == kVndfAny && t.column_roots != 0u) q = vndf_root_columns(t, q);
   uint4 halves = make_uint4(t.column_upper, t.column_upper, kVndfSign, kVndfSign);

@@ -61,6 +61,15 @@ VNDF_FUNCTION float4 larger(float4 a, float4 b) {
   return make4(larger(a.x, b.x), larger(a.y, b.y), larger(a.z, b.z), larger(a.w, b.w));
 }
 
+/// 0 for a number up to one half, 1 for one above. Drivers take the sum that rounds in C++ for the
+/// number itself.
+VNDF_FUNCTION float nearest_whole(float a) {
+  return a > 0.5f ? 1.0f : 0.0f;
+}
+VNDF_FUNCTION float4 nearest_whole(float4 a) {
+  return make4(nearest_whole(a.x), nearest_whole(a.y), nearest_whole(a.z), nearest_whole(a.w));
+}
+
 /// (a0, a1, b0, b1), (a2, a3, b2, b3) and (a1, a1, a3, a3).
 VNDF_FUNCTION float4 low_halves(float4 a, float4 b) {
   return make4(a.x, a.y, b.x, b.y);
