@@ -168,6 +168,7 @@ if(VNDF_BUILD_TOOLS)
     vndf/bench/caps_batch.cpp
     vndf/bench/cases.cpp
     vndf/bench/collector.cpp
+    vndf/bench/cuda_report.cpp
     vndf/bench/label_places.cpp
     vndf/bench/literal_tables.cpp
     vndf/bench/pareto.cpp
@@ -178,6 +179,25 @@ if(VNDF_BUILD_TOOLS)
   string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
   string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}}" build_flags)
   target_compile_definitions(vndf_bench PRIVATE VNDF_BENCH_FLAGS="${build_flags}")
-  target_link_libraries(vndf_bench PUBLIC vndf_io vndf_batch vndf_precompute nlohmann_json::nlohmann_json
+  target_link_libraries(vndf_bench PUBLIC vndf_devices vndf_io vndf_batch vndf_precompute nlohmann_json::nlohmann_json
                                    PRIVATE benchmark::benchmark fmt::fmt hwy::hwy)
+
+  # The benchmark on a GPU, where there is a CUDA compiler. It is called by hand, because CMake 3.25
+  # does not know how recent ones are told of C++20.
+  find_package(CUDAToolkit QUIET)
+  cmake_dependent_option(VNDF_BUILD_CUDA "Build the benchmark on CUDA devices" ON
+                         CUDAToolkit_NVCC_EXECUTABLE OFF)
+  if(VNDF_BUILD_CUDA)
+    set(source ${CMAKE_CURRENT_SOURCE_DIR}/vndf/bench/cuda_bench.cu)
+    set(object ${CMAKE_CURRENT_BINARY_DIR}/cuda_bench.o)
+    add_custom_command(
+      OUTPUT ${object}
+      COMMAND ${CUDAToolkit_NVCC_EXECUTABLE} -std=c++20 -O3 -arch=all-major -Xcompiler=-fPIC
+              -I ${CMAKE_CURRENT_SOURCE_DIR} -MD -MF ${object}.d -o ${object} -c ${source}
+      DEPENDS ${source} DEPFILE ${object}.d COMMENT "Building CUDA object cuda_bench.o" VERBATIM)
+    target_sources(vndf_bench PRIVATE ${object})
+    target_link_libraries(vndf_bench PRIVATE CUDA::cudart_static)
+  else()
+    target_sources(vndf_bench PRIVATE vndf/bench/cuda_unavailable.cpp)
+  endif()
 endif()

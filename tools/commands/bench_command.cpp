@@ -10,6 +10,7 @@
 #include "commands/progress.h"
 #include "report/gnuplot.h"
 #include "vndf/bench/cases.h"
+#include "vndf/bench/cuda_bench.h"
 #include "vndf/bench/speed_plot.h"
 #include "vndf/bench/speed_report.h"
 
@@ -19,7 +20,7 @@ namespace {
 struct BenchArguments {
   std::vector<std::string> files, only, distributions = bench::kUsualDistributions;
   int repetitions = bench::CollectOptions().repetitions;
-  std::string json, plot;
+  std::string json, plot, device = "cpu";
   bool quick = false, force = false;
 };
 
@@ -54,6 +55,27 @@ void run_bench(const BenchArguments& arguments) {
          [&](const std::string& name) { return bench::speed_plot(report, terminal, name); });
 }
 
+/// Times files of baked tables on a CUDA device.
+void run_on_cuda(const BenchArguments& arguments) {
+  if (arguments.files.empty())
+    throw CLI::ValidationError("--device", "cuda takes files of baked tables; give .vndf files");
+  if (!arguments.json.empty()) require_output(arguments.json, arguments.files, arguments.force);
+  bench::CudaOptions options;
+  options.rounds = arguments.repetitions;
+  if (arguments.quick) options.samples = std::size_t{1} << 20;
+  nlohmann::ordered_json all{{"program", kProgram}};
+  bool right = true;
+  for (const std::string& file : arguments.files) {
+    const bench::CudaReport report = bench::run_cuda_bench(load(file), options);
+    std::cout << file << " on " << bench::describe(report) << '\n';
+    all["files"].push_back(bench::to_json(report));
+    all["files"].back()["file"] = file;
+    right = right && report.golden_failures == 0;
+  }
+  if (!arguments.json.empty()) write_json(arguments.json, all);
+  if (!right) throw CLI::RuntimeError(1);
+}
+
 }  // namespace
 
 void add_bench(CLI::App& app) {
@@ -65,10 +87,19 @@ void add_bench(CLI::App& app) {
   const auto arguments = std::make_shared<BenchArguments>();
   command->add_option("files", arguments->files,
                       "Files of tables to time, .h5, .exr or .vndf, instead of distributions");
-  command->add_option("--only", arguments->only,
-                      "Only samplers in whose names one of these words occurs");
-  command->add_option("--distribution", arguments->distributions, "Distributions to tabulate")
-      ->capture_default_str();
+  auto* device =
+      command
+          ->add_option(
+              "--device", arguments->device,
+              "cpu, or cuda: the kernel of baked tables on a GPU, where the program was built "
+              "with CUDA")
+          ->check(CLI::IsMember({"cpu", "cuda"}))
+          ->capture_default_str();
+  auto* only = command->add_option("--only", arguments->only,
+                                   "Only samplers in whose names one of these words occurs");
+  auto* distribution =
+      command->add_option("--distribution", arguments->distributions, "Distributions to tabulate")
+          ->capture_default_str();
   command
       ->add_option("--repetitions", arguments->repetitions,
                    "Rounds, each of which times every sampler once")
@@ -76,14 +107,19 @@ void add_bench(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--json", arguments->json, "Write all figures to this file")
       ->type_name("FILE");
-  command
-      ->add_option("--plot", arguments->plot,
-                   "Draw speed against size: .svg or .png (needs gnuplot)")
-      ->type_name("FILE");
+  auto* plot = command
+                   ->add_option("--plot", arguments->plot,
+                                "Draw speed against size: .svg or .png (needs gnuplot)")
+                   ->type_name("FILE");
   add_force(*command, arguments->force);
   command->add_flag("--quick", arguments->quick,
                     "Few sizes, short timings: to see that it runs, not for figures");
-  command->callback([arguments, command] {
+  command->callback([=] {
+    if (arguments->device == "cuda") {
+      for (const CLI::Option* option : {only, distribution, plot})
+        if (option->count() > 0) throw CLI::ExcludesError(option->get_name(), device->get_name());
+      return run_on_cuda(*arguments);
+    }
     const bool files_alone = !arguments->files.empty() && command->count("--distribution") == 0;
     if (files_alone) arguments->distributions.clear();
     run_bench(*arguments);
