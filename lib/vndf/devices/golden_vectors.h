@@ -3,8 +3,8 @@
 // to it, grazing, small and large roughness, u at its ends and at one half, and inputs outside
 // their range.
 //
-// A tolerance stands beside every number. It is four times the largest difference that sixteen
-// devices show which round as badly as they may (rough_arithmetic.h), and at least four units in
+// A tolerance stands beside every number. It is twice the largest difference that sixteen devices
+// show which round four times worse than one may (rough_arithmetic.h), and at least four units in
 // the last place: enough for a correct port, and too little for a wrong one.
 #pragma once
 

@@ -50,8 +50,8 @@ KernelOutput call_kernel(const Kernel& kernel, const KernelInput& input) {
 }
 
 KernelOutput call_rough_kernel(const Kernel& kernel, const KernelInput& input,
-                               const Vec3<float>& given, std::uint64_t seed) {
-  rough::random_state = seed;
+                               const Vec3<float>& given, const RoughDevice& device) {
+  rough::device = {device.seed, device.excess};
   const rough::VndfTables t = rough_tables(kernel.tables());
   const rough::vec3 wi = rough_vector(input.wi), wm = rough_vector(given);
   const rough::Number ax = input.alpha.x, ay = input.alpha.y, u1 = input.u1, u2 = input.u2;

@@ -28,9 +28,14 @@ struct KernelOutput {
 /// What the library computes for `input`, with its own normal given.
 KernelOutput call_kernel(const Kernel& kernel, const KernelInput& input);
 
-/// What a device computes that rounds as badly as one may (rough_arithmetic.h), with `given` as the
-/// given normal. Each `seed` is another such device.
+/// A device that rounds as badly as one may, or worse (rough_arithmetic.h).
+struct RoughDevice {
+  std::uint64_t seed = 0;  ///< another one for another device
+  int excess = 1;          ///< its errors in multiples of those that are allowed
+};
+
+/// What such a device computes, with `given` as the given normal.
 KernelOutput call_rough_kernel(const Kernel& kernel, const KernelInput& input,
-                               const Vec3<float>& given, std::uint64_t seed);
+                               const Vec3<float>& given, const RoughDevice& device);
 
 }  // namespace vndf::devices

@@ -1,8 +1,9 @@
-// The names in which the kernel is written, for a device that computes as badly as one may. Vulkan,
-// Metal and Direct3D let a device fuse a product with a sum, and round quotients, roots and powers
-// less well than IEEE 754 does. Here each of these errs at random as far as the specification of
-// Vulkan 1.3 (Precision and Operation of SPIR-V Instructions) lets it, as in Monte Carlo arithmetic
-// (Parker 1997). Sums are rounded correctly everywhere.
+// The names in which the kernel is written, for a device that computes as badly as one may, or
+// worse. Vulkan, Metal and Direct3D let a device fuse a product with a sum, and round quotients,
+// roots and powers less well than IEEE 754 does. Here each of these errs at random, as in Monte
+// Carlo arithmetic (Parker 1997), by as much as the specification of Vulkan 1.3 (Precision and
+// Operation of SPIR-V Instructions) lets it, times an excess. Sums are rounded correctly
+// everywhere.
 //
 //   a * b     1 unit in the last place where the product is rounded at all, which is what a fused
 //             product changes
@@ -11,12 +12,13 @@
 //   exp2(a)   3 + 2 |a| units
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 
-#include "vndf/kernel_language.h"
+#include "vndf/kernel.h"
 
 namespace vndf::devices::rough {
 
@@ -24,22 +26,32 @@ using kernel::make_uint4;
 using kernel::uint;
 using kernel::uint4;
 
-/// Steps of the random errors of this thread. An operator has no other way to know them.
-inline thread_local std::uint64_t random_state = 1;
+/// A device of this kind: its errors follow from the seed, and are up to `excess` times those that
+/// are allowed.
+struct Device {
+  std::uint64_t seed = 0;
+  int excess = 1;
+};
+
+/// The device that computes on this thread. An operator has no other way to know it.
+inline thread_local Device device;
 
 /// A random whole number from -most to most (Steele, Lea and Flood 2014: SplitMix).
 inline int random_between(int most) {
-  std::uint64_t z = random_state += 0x9e3779b97f4a7c15;
+  std::uint64_t z = device.seed += 0x9e3779b97f4a7c15;
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
   z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
   const auto count = static_cast<std::uint64_t>(2 * most + 1);
   return static_cast<int>((z >> 33) % count) - most;
 }
 
-/// `a` moved by up to `most` units in its last place.
-inline float disturbed(float a, int most) {
-  if (a == 0.0f || !std::isfinite(a)) return a;
-  return kernel::float_of(kernel::bits_of(a) + static_cast<uint>(random_between(most)));
+/// `a` with an error where a device may err by up to `units` in the last place. Numbers too small
+/// to have all their digits become 0, as devices may do.
+inline float disturbed(float a, int units) {
+  if (!std::isfinite(a)) return a;
+  if (std::fabs(a) < kernel::kVndfLeast) return 0.0f;
+  const int error = random_between(device.excess * units);
+  return kernel::float_of(kernel::bits_of(a) + static_cast<uint>(error));
 }
 
 /// A number of such a device.
