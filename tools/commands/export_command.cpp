@@ -24,19 +24,14 @@
 namespace vndf::tools {
 namespace {
 
-enum class Form { header, cuda, glsl, hlsl, metal, bytes };
-
-const std::vector<std::pair<std::string, Form>> kForms{
-    {"header", Form::header}, {"cuda", Form::cuda},   {"glsl", Form::glsl},
-    {"hlsl", Form::hlsl},     {"metal", Form::metal}, {"bytes", Form::bytes}};
-
-const std::vector<std::pair<std::string, devices::TablePlace>> kPlaces{
-    {"constants", devices::TablePlace::constants}, {"buffer", devices::TablePlace::buffer}};
+const std::vector<std::string> kForms{"header", "cuda", "glsl", "hlsl", "metal", "bytes"};
+const std::vector<std::pair<std::string, devices::ShadingLanguage>> kShadingLanguages{
+    {"glsl", devices::ShadingLanguage::glsl},
+    {"hlsl", devices::ShadingLanguage::hlsl},
+    {"metal", devices::ShadingLanguage::metal}};
 
 struct Arguments {
-  std::string input, output, name;
-  std::optional<Form> form;
-  std::optional<devices::TablePlace> place;
+  std::string input, output, name, form, place;
   std::uint64_t vectors = 0;
   BakeArguments baking;
   unsigned threads = 0;
@@ -64,55 +59,55 @@ std::string name_of(const Arguments& a) {
   for (char& c : name)
     if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
   if (const auto broken = devices::check_name(name))
-    throw CLI::ValidationError("--name", *broken + "; give it, because the file's name is none");
+    throw CLI::ValidationError("--name", "is that of the file if it is not given, and " + *broken);
   return name;
 }
 
-devices::ShadingLanguage shading_language(Form form) {
-  if (form == Form::glsl) return devices::ShadingLanguage::glsl;
-  return form == Form::hlsl ? devices::ShadingLanguage::hlsl : devices::ShadingLanguage::metal;
+std::optional<devices::ShadingLanguage> shading_language(const std::string& form) {
+  for (const auto& [name, language] : kShadingLanguages)
+    if (name == form) return language;
+  return {};
 }
 
-bool is_shading(Form form) {
-  return form == Form::glsl || form == Form::hlsl || form == Form::metal;
+bool has_constants(const Arguments& a, const KernelTables& tables) {
+  if (!a.place.empty()) return a.place == "constants";
+  return tables.bytes().size() <= devices::kMostConstantBytes;
+}
+
+std::string shading_source(const Arguments& a, const KernelTables& tables) {
+  const auto place =
+      has_constants(a, tables) ? devices::TablePlace::constants : devices::TablePlace::buffer;
+  return devices::export_shading(tables, *shading_language(a.form), {name_of(a), place});
 }
 
 std::string exported(const Arguments& a, const KernelTables& tables) {
   if (a.vectors > 0)
     return devices::golden_csv(tables, devices::golden_vectors(tables.kernel(), a.vectors));
-  switch (*a.form) {
-    case Form::header:
-      return devices::export_header(tables, name_of(a));
-    case Form::cuda:
-      return devices::export_cuda(tables, name_of(a));
-    case Form::bytes:
-      return {reinterpret_cast<const char*>(tables.bytes().data()), tables.bytes().size()};
-    default:
-      break;
-  }
-  const bool small = tables.bytes().size() <= devices::kMostConstantBytes;
-  const auto place =
-      a.place.value_or(small ? devices::TablePlace::constants : devices::TablePlace::buffer);
-  return devices::export_shading(tables, shading_language(*a.form), {name_of(a), place});
+  if (a.form == "bytes")
+    return {reinterpret_cast<const char*>(tables.bytes().data()), tables.bytes().size()};
+  if (a.form == "header") return devices::export_header(tables, name_of(a));
+  if (a.form == "cuda") return devices::export_cuda(tables, name_of(a));
+  return shading_source(a, tables);
 }
 
 /// What a source that reads the tables from a buffer needs beside it.
-std::string advice(const Arguments& a, const std::string& text) {
-  if (!a.form || !is_shading(*a.form) || text.find("_words[") != std::string::npos) return {};
+std::string advice(const Arguments& a, const KernelTables& tables) {
+  if (!shading_language(a.form) || has_constants(a, tables)) return {};
   return fmt::format("It reads the tables from a buffer: the bytes of {}.\n",
-                     names_baked_tables(a.input) ? a.input : "--as bytes");
+                     names_baked_tables(a.input) ? support::printable(a.input)
+                                                 : "the file that --as bytes writes");
 }
 
 void require_usage(const Arguments& a) {
-  if (!a.form && a.vectors == 0)
-    throw CLI::ValidationError("--as", "or --vectors must be given: what is to be written");
-  if (a.place && !(a.form && is_shading(*a.form)))
+  if (a.form.empty() && a.vectors == 0)
+    throw CLI::ValidationError("--as", "says what to write; give it, or --vectors");
+  if (!a.place.empty() && !shading_language(a.form))
     throw CLI::ValidationError("--tables", "is for glsl, hlsl and metal: leave it out");
-  if (!a.name.empty() && a.form.value_or(Form::bytes) == Form::bytes)
+  if (a.name.empty()) return;
+  if (a.form.empty() || a.form == "bytes")
     throw CLI::ValidationError("--name", "is for sources: leave it out");
-  if (!a.name.empty())
-    if (const auto broken = devices::check_name(a.name))
-      throw CLI::ValidationError("--name", *broken);
+  if (const auto broken = devices::check_name(a.name))
+    throw CLI::ValidationError("--name", *broken);
 }
 
 void export_tables(const Arguments& a, const std::string& command_line) {
@@ -123,7 +118,7 @@ void export_tables(const Arguments& a, const std::string& command_line) {
   write_file(a.output, text);
   if (!a.quiet)
     std::cout << fmt::format("wrote {}, {} bytes\n", support::printable(a.output), text.size())
-              << advice(a, text);
+              << advice(a, tables);
 }
 
 }  // namespace
@@ -140,7 +135,7 @@ void add_export(CLI::App& app, const std::string& command_line) {
       command
           ->add_option("--as", a->form,
                        "What to write: header (C++17), cuda, glsl, hlsl, metal, or bytes (.vndf)")
-          ->transform(CLI::Transformer(kForms));
+          ->check(CLI::IsMember(kForms));
   command->add_option("--vectors", a->vectors, "Write this many golden vectors instead, as CSV")
       ->check(whole_number(1, 1000000))
       ->excludes(form);
@@ -150,7 +145,7 @@ void add_export(CLI::App& app, const std::string& command_line) {
                    fmt::format("Where glsl, hlsl and metal have the tables: constants, or buffer; "
                                "constants up to {} bytes",
                                devices::kMostConstantBytes))
-      ->transform(CLI::Transformer(kPlaces));
+      ->check(CLI::IsMember({"constants", "buffer"}));
   add_bake_options(*command, a->baking);
   add_force(*command, a->force);
   add_threads(*command, a->threads);
