@@ -220,4 +220,7 @@ TEST_CASE("bench times the samplers of files of either kind, and nothing that wa
                                           "ggx.vndf kernel, batched"});
   CHECK(report.at("entries")[2].at("kind") == "kernel");
   check_refusal(folder.run("bench none.vndf --quick"), 1, "none.vndf");
+  check_refusal(folder.run("bench --device cuda"), 2, "give .vndf files");
+  check_refusal(folder.run("bench ggx.vndf --device cuda --only caps"), 2, "--only excludes");
+  check_refusal(folder.run("bench ggx.h5 --device cuda"), 1, "ggx.h5");
 }

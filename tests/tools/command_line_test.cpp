@@ -50,8 +50,8 @@ TEST_CASE("help of the program and of every subcommand explains itself") {
   const Folder folder;
   const Result help = folder.run("--help");
   CHECK(help.status == 0);
-  for (const std::string name : {"build", "bake", "info", "sample", "convert", "picture", "bench",
-                                 "experiment", "validate", "check"}) {
+  for (const std::string name : {"build", "bake", "export", "info", "sample", "convert", "picture",
+                                 "bench", "experiment", "validate", "check"}) {
     CHECK_THAT(help.out, contains(name));
     CHECK(folder.run(name + " --help").status == 0);
   }

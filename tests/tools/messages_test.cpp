@@ -19,7 +19,7 @@ TEST_CASE("an unknown command, experiment or option is named with the one that w
     CHECK_THAT(r.error, contains(message));
   };
   says("biuld ggx", "no command 'biuld'; did you mean 'build'?");
-  says("qqqqqqqqqqqq", "known: build, bake, info");
+  says("qqqqqqqqqqqq", "known: build, bake, export, info");
   says("experiment varianc", "no command 'varianc'; did you mean 'variance'?");
   says("build ggx --siez=3", "no option '--siez'; did you mean '--size'?");
   says("info a.h5 b.h5", "'b.h5' is one argument too many");

@@ -38,6 +38,7 @@ TEST_CASE("a file that vndf did not write is not replaced, whatever the command"
   keeps(build, "a.h5");
   keeps(build, "a.vndf");
   keeps("bake ggx.h5 -o ", "a.vndf");
+  keeps("export ggx.h5 --as header -o ", "a.h");
   keeps("convert ggx.h5 ", "a.exr");
   keeps("picture ggx.h5 -o ", "a.png");
   keeps("bench --json ", "a.json");
@@ -59,8 +60,9 @@ TEST_CASE("what vndf wrote it replaces") {
   const FolderWithTables folder;
   for (const std::string command :
        {"build ggx -o a.h5 --size 32", "build ggx -o a.exr --size 32",
-        "build ggx -o a.vndf --size 64 --tolerance 1e-3", "convert ggx.h5 b.exr",
-        "picture ggx.h5 -o a.png", "picture ggx.h5 -o a.svg",
+        "build ggx -o a.vndf --size 64 --tolerance 1e-3", "export a.vndf -o a.h --as header",
+        "export a.vndf -o a.csv --vectors 5", "convert ggx.h5 b.exr", "picture ggx.h5 -o a.png",
+        "picture ggx.h5 -o a.svg",
         "bench --quick --repetitions 1 --distribution ggx --only hemisphere --json speed.json "
         "--plot speed.svg",
         "validate ggx-caps --quick --seed 1 --json v.json"}) {
