@@ -294,26 +294,33 @@ struct Guide {
   uint offset;
 };
 
-/// Four coefficients, the k-th of those that begin at `offset`, a multiple of 16. They are copied,
-/// because the bytes may be of an array of any type.
+/// Four coefficients, the k-th of those that begin at `offset`, a multiple of 16. The bytes may be
+/// those of an array of any type.
 VNDF_FUNCTION float4 fetch4(Block block, uint offset, uint k) {
+#if VNDF_VECTORS
+  typedef float4 any4 __attribute__((may_alias));
+  return reinterpret_cast<const any4*>(block.bytes + offset)[k];
+#else
   const void* from = block.bytes + offset + 16 * std::size_t{k};
-#ifdef __GNUC__
+#ifdef __CUDACC__
   from = __builtin_assume_aligned(from, 16);
 #endif
   float4 value;
   std::memcpy(&value, from, sizeof value);
   return value;
+#endif
 }
 
-/// An entry of a guide, at a multiple of 8.
+/// An entry of a guide, at a multiple of 8. CUDA reads both parts at once; elsewhere they go to
+/// registers of two kinds, so that each is read on its own.
 VNDF_FUNCTION Guide fetch_guide(Block block, uint offset) {
-  const void* from = block.bytes + offset;
-#ifdef __GNUC__
-  from = __builtin_assume_aligned(from, 8);
-#endif
   Guide value;
-  std::memcpy(&value, from, sizeof value);
+#ifdef __CUDACC__
+  std::memcpy(&value, __builtin_assume_aligned(block.bytes + offset, 8), sizeof value);
+#else
+  std::memcpy(&value.start, block.bytes + offset, sizeof value.start);
+  std::memcpy(&value.offset, block.bytes + offset + sizeof value.start, sizeof value.offset);
+#endif
   return value;
 }
 
