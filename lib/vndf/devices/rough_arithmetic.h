@@ -49,7 +49,7 @@ inline int random_between(int most) {
 /// to have all their digits become 0, as devices may do.
 inline float disturbed(float a, int units) {
   if (!std::isfinite(a)) return a;
-  if (std::fabs(a) < kernel::kVndfLeast) return 0.0f;
+  if (std::fabs(a) < kernel::kVndfLeast) return std::copysign(0.0f, a);
   const int error = random_between(device.excess * units);
   return kernel::float_of(kernel::bits_of(a) + static_cast<uint>(error));
 }
@@ -66,7 +66,8 @@ class Number {
   friend Number operator-(Number a) { return -a.value_; }
   friend Number operator*(Number a, Number b) {
     const float product = a.value_ * b.value_;
-    return std::fma(a.value_, b.value_, -product) == 0.0f ? product : disturbed(product, 1);
+    const bool exact = std::fma(a.value_, b.value_, -product) == 0.0f;
+    return exact && std::fabs(product) >= kernel::kVndfLeast ? product : disturbed(product, 1);
   }
   friend Number operator/(Number a, Number b) { return disturbed(a.value_ / b.value_, 3); }
   friend bool operator==(Number a, Number b) { return a.value_ == b.value_; }
