@@ -1,10 +1,10 @@
 #!/bin/sh
-# Passes the tests, from nothing: installs packages, configures with the arguments, builds and runs
-# ctest.
+# Passes the tests, from nothing: installs packages, also those with which shaders run on the
+# processor, configures with the arguments, builds and runs ctest.
 set -eu
 cd "$(dirname "$0")/.."
 
-sh tools/install_packages.sh
+sh tools/install_packages.sh glslang-tools spirv-cross libvulkan-dev mesa-vulkan-drivers chromium-common
 cmake --preset release -D VNDF_BUILD_TESTS=ON "$@"
 cmake --build --preset release
 ctest --preset release --parallel "$(nproc)"

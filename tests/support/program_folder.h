@@ -2,16 +2,15 @@
 #pragma once
 
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
 #include "support/catch.h"
+#include "support/temporary_folder.h"
 
 namespace vndf::test {
 
@@ -20,43 +19,27 @@ struct Result {
   std::string out, error;
 };
 
-inline std::string content(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-/// An empty folder that is gone after the test, and the program run inside it.
-class Folder {
+/// A temporary folder, and the program run inside it.
+class Folder : public TemporaryFolder {
  public:
-  Folder()
-      : path_(std::filesystem::temp_directory_path() / ("vndf-test-" + std::to_string(getpid()))) {
-    std::filesystem::remove_all(path_);
-    std::filesystem::create_directories(path_);
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
   /// Where nothing can be printed.
   Result run_on_full_disk(const std::string& arguments) const {
-    return run_to("/dev/full", path_, arguments, "");
+    return run_to("/dev/full", path(), arguments, "");
   }
 
   Result run(const std::string& arguments, const std::string& input = "") const {
-    return run_to("", path_, arguments, input);
+    return run_to("", path(), arguments, input);
   }
 
   /// With another working directory, one inside this folder.
   Result run_in(const std::string& subfolder, const std::string& arguments) const {
-    return run_to("", path_ / subfolder, arguments, "");
+    return run_to("", path() / subfolder, arguments, "");
   }
 
   /// Names of the files inside.
   std::vector<std::string> files() const {
     std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(path_))
+    for (const auto& entry : std::filesystem::directory_iterator(path()))
       names.push_back(entry.path().filename());
     return names;
   }
@@ -65,7 +48,7 @@ class Folder {
   /// Standard output goes to `place`, or to the result where that is empty.
   Result run_to(const std::string& place, const std::filesystem::path& directory,
                 const std::string& arguments, const std::string& input) const {
-    const std::filesystem::path streams = path_.string() + "-streams";
+    const std::filesystem::path streams = path().string() + "-streams";
     std::filesystem::create_directories(streams);
     std::ofstream(streams / "in") << input;
     const std::string command = "cd " + directory.string() + " && " VNDF_PROGRAM " " + arguments +
@@ -77,8 +60,6 @@ class Folder {
     std::filesystem::remove_all(streams);
     return result;
   }
-
-  std::filesystem::path path_;
 };
 
 /// A folder with a small table file, "ggx.h5".
