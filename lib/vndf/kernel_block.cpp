@@ -57,6 +57,7 @@ class Checker {
     require(h.header_bytes == sizeof(KernelHeader), "a header of another size");
     require(h.bytes == bytes_.size() && h.bytes <= kKernelMostBytes,
             "the bytes are fewer or more than the header says");
+    require(h.sampling_bytes <= h.bytes, "more bytes for sampling than there are");
     require(h.checksum == kernel_checksum(bytes_),
             "the checksum does not match: bytes were changed");
     check_text();
@@ -89,7 +90,7 @@ class Checker {
             "the scale of slope y is not a finite number > 0");
     require(h.least_root > 0 && h.least_root < h.most_root && h.most_root < 1,
             "the bounds of the root of sigma are not inside (0, 1)");
-    require(positive(h.direction_offset) && h.direction_offset < 1,
+    require(h.direction_offset > 0 && h.direction_offset < 1,
             "the offset of an axis is not inside (0, 1)");
     require(h.column_roots <= 1 && h.separable <= 1, "a choice that is neither 0 nor 1");
     require(h.column_roots == 0 || (h.column_offset > 0 && h.column_offset < 1),
@@ -142,8 +143,7 @@ class Checker {
   std::size_t check_slopes() const {
     const KernelHeader& h = header();
     require(h.slope_middle > 0 && h.slope_middle < 1, "the middle of the slopes is not in (0, 1)");
-    require(positive(h.slope_offset) && positive(h.slope_most) && h.slope_offset < h.slope_most &&
-                h.slope_most < 1,
+    require(h.slope_offset > 0 && h.slope_offset < h.slope_most && h.slope_most < 1,
             "the axis of slopes has no length");
     require_apart(h.slope_upper);
     KernelAxis pairs = h.slope;  // as an axis with twice the entries
@@ -189,16 +189,15 @@ class Checker {
     }
   }
 
-  static bool positive(float x) { return x > 0 && std::isfinite(x); }
-
   static std::uint32_t key(float place, const KernelAxis& axis) {
     require(axis.shift < 32, "an axis is shifted by more than a number has bits");
     return std::bit_cast<std::uint32_t>(place) >> axis.shift;
   }
 
+  /// The keys from `first` to `last`, which is not less, must have entries inside the block.
   void require_keys(const KernelAxis& axis, std::uint32_t first, std::uint32_t last) const {
     require(axis.guide % kGuideBytes == 0, "a guide is not aligned");
-    require(first <= last && first >= axis.first_key && axis.count <= kKernelMostBytes &&
+    require(first >= axis.first_key && axis.count <= kKernelMostBytes &&
                 last - axis.first_key < axis.count,
             "a guide does not cover its axis");
     require_inside(axis.guide + axis.count * kGuideBytes);

@@ -1,7 +1,10 @@
 // The layout of a block of baked tables, and its check. A block is one contiguous piece of plain
 // little-endian data, header, guides, patches and curves, with distances in place of addresses, so
 // that the bytes of a file are the tables. tables/FORMAT.md describes it for readers in any
-// language. Bytes may come from anywhere: after check_block() sampling reads nothing outside them.
+// language. Bytes may come from anywhere: after check_block() sampling reads nothing outside them,
+// and its normals are of unit length and their sampled densities finite, whatever the coefficients
+// are. D, Lambda, G1 and the density of the exact distribution are then not negative, but of a
+// block that nobody baked they may be infinite or no number.
 #pragma once
 
 #include <array>

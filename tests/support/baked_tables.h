@@ -3,6 +3,8 @@
 
 #include <cstring>
 #include <map>
+#include <memory>
+#include <new>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,15 +29,16 @@ inline const KernelTables& baked_tables(const std::string& distribution) {
   return cache.emplace(distribution, bake(pair, {.tolerance = kBakedWithin})).first->second;
 }
 
-/// A block that begins where baked tables may.
+/// A block that begins where baked tables may, in memory of just its size.
 class Block {
  public:
   explicit Block(std::span<const std::byte> bytes)
-      : lines_(bytes.size() / kKernelAlignment + 1), size_(bytes.size()) {
+      : bytes_(static_cast<std::byte*>(::operator new(bytes.size(), kAlignment))),
+        size_(bytes.size()) {
     if (size_ > 0) std::memcpy(data(), bytes.data(), size_);
   }
 
-  std::byte* data() { return reinterpret_cast<std::byte*>(lines_.data()); }
+  std::byte* data() { return bytes_.get(); }
   std::size_t size() const { return size_; }
   std::span<std::byte> bytes() { return {data(), size_}; }
   std::span<std::byte> first(std::size_t length) { return {data(), length}; }
@@ -45,11 +48,12 @@ class Block {
   void set_checksum() { header().checksum = kernel_checksum(bytes()); }
 
  private:
-  struct alignas(kKernelAlignment) Line {
-    std::byte bytes[kKernelAlignment];
+  static constexpr std::align_val_t kAlignment{kKernelAlignment};
+  struct Delete {
+    void operator()(std::byte* bytes) const { ::operator delete(bytes, kAlignment); }
   };
 
-  std::vector<Line> lines_;
+  std::unique_ptr<std::byte, Delete> bytes_;
   std::size_t size_;
 };
 

@@ -291,6 +291,16 @@ TEST_CASE("a file is an error if its certificate admits more than is asked for")
                         contains("--tolerance"));
 }
 
+TEST_CASE("a file is an error if a figure of its certificate is no number") {
+  for (const bool first : {true, false}) {
+    Certificate certificate;
+    (first ? certificate.marginal : certificate.conditional).max_u_error =
+        std::numeric_limits<double>::quiet_NaN();
+    const File file(smallest().with_certificate(certificate, true).bytes());
+    CHECK_THROWS_WITH(load(file.path(), {.max_u_error = 1e-5}), contains("u-error of nan"));
+  }
+}
+
 TEST_CASE("a file that is none of baked tables is an error by name") {
   CHECK_THROWS_WITH(load("missing.vndf"), contains("missing.vndf: cannot be read"));
   const std::string foreign = "not a block";
