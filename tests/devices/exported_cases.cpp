@@ -18,6 +18,15 @@ const KernelTables& tables_of(const ExportedCase& exported) {
   return cache.emplace(exported.distribution, bake(pair, options)).first->second;
 }
 
+std::vector<devices::GoldenVector> exact_vectors(const ExportedCase& exported, std::size_t count) {
+  const Kernel kernel = tables_of(exported).kernel();
+  std::vector<devices::GoldenVector> vectors;
+  vectors.reserve(count);
+  for (const devices::KernelInput& input : devices::golden_inputs(count))
+    vectors.push_back({input, call_kernel(kernel, input), {}});
+  return vectors;
+}
+
 const std::vector<devices::GoldenVector>& vectors_of(const ExportedCase& exported) {
   static std::map<std::string, std::vector<devices::GoldenVector>> cache;
   auto& vectors = cache[exported.distribution];

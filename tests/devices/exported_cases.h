@@ -37,6 +37,9 @@ const KernelTables& tables_of(const ExportedCase& exported);
 /// How many golden vectors the quick tests take, a multiple of the shaders' groups.
 inline constexpr std::size_t kVectors = 2048;
 
+/// What the library computes for the first `count` golden inputs, with tolerances of 0.
+std::vector<devices::GoldenVector> exact_vectors(const ExportedCase& exported, std::size_t count);
+
 /// The first kVectors golden vectors, made once.
 const std::vector<devices::GoldenVector>& vectors_of(const ExportedCase& exported);
 

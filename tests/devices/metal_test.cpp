@@ -22,20 +22,12 @@ void write(const std::filesystem::path& path, const void* data, std::size_t size
       .write(static_cast<const char*>(data), static_cast<std::streamsize>(size));
 }
 
-/// Golden vectors that must be met exactly.
-std::vector<devices::GoldenVector> exact_vectors(const Kernel& kernel) {
-  std::vector<devices::GoldenVector> vectors;
-  for (const devices::KernelInput& input : devices::golden_inputs(kVectors))
-    vectors.push_back({input, call_kernel(kernel, input), {}});
-  return vectors;
-}
-
 /// Where the source of a case gives other numbers than the library. No product may be fused with a
 /// sum, as in the library.
 std::string metal_differences(const ExportedCase& exported, TablePlace place) {
   const TemporaryFolder folder;
   const KernelTables& tables = tables_of(exported);
-  const auto vectors = exact_vectors(tables.kernel());
+  const auto vectors = exact_vectors(exported, kVectors);
   const std::vector<float> inputs = device_inputs(vectors);
   std::string source = export_shading(tables, devices::ShadingLanguage::metal, {"golden", place});
   source += place == TablePlace::buffer ? "#define TABLES vndf_golden(words.data())\n"

@@ -157,13 +157,16 @@ std::vector<KernelInput> golden_inputs(std::size_t count) {
   return inputs;
 }
 
+GoldenVector golden_vector(const Kernel& kernel, const KernelInput& input) {
+  const KernelOutput output = call_kernel(kernel, input);
+  return {input, output, tolerance_of(kernel, input, output)};
+}
+
 std::vector<GoldenVector> golden_vectors(const Kernel& kernel, std::size_t count) {
   std::vector<GoldenVector> vectors;
   vectors.reserve(count);
-  for (const KernelInput& input : golden_inputs(count)) {
-    const KernelOutput output = call_kernel(kernel, input);
-    vectors.push_back({input, output, tolerance_of(kernel, input, output)});
-  }
+  for (const KernelInput& input : golden_inputs(count))
+    vectors.push_back(golden_vector(kernel, input));
   return vectors;
 }
 

@@ -32,6 +32,9 @@ struct GoldenVector {
 /// The first `count` inputs of the sequence that all golden vectors share.
 std::vector<KernelInput> golden_inputs(std::size_t count);
 
+/// What `kernel` gives for one input, with tolerances.
+GoldenVector golden_vector(const Kernel& kernel, const KernelInput& input);
+
 /// The golden vectors of `kernel`.
 std::vector<GoldenVector> golden_vectors(const Kernel& kernel, std::size_t count);
 
