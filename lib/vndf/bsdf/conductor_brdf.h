@@ -31,8 +31,14 @@ class ConductorBrdf {
 
   /// Refers to `sampler`, which must outlive this object. Valid: what the sampler says of alpha.
   ConductorBrdf(const Sampler& sampler, const Alpha<T>& alpha, const Fresnel& fresnel, Masking = {})
-      : surface_(sampler, alpha), fresnel_(fresnel) {}
+      : ConductorBrdf(sampler, Surface<T>(alpha), fresnel) {}
+  /// The same with correlated slopes or a mean slope. wi.z and wo.z in f are then the areas that
+  /// the mean facet shows to them (Surface::projected_area()), and tell what is above the surface.
+  ConductorBrdf(const Sampler& sampler, const Surface<T>& surface, const Fresnel& fresnel,
+                Masking = {})
+      : surface_(sampler, surface), fresnel_(fresnel) {}
   ConductorBrdf(const Sampler&&, const Alpha<T>&, const Fresnel&, Masking = {}) = delete;
+  ConductorBrdf(const Sampler&&, const Surface<T>&, const Fresnel&, Masking = {}) = delete;
 
   /// f(wi, wo) wo.z for each channel.
   Value evaluate(const Vec3<T>& wi, const Vec3<T>& wo) const noexcept {
@@ -50,7 +56,7 @@ class ConductorBrdf {
   T pdf(const Vec3<T>& wi, const Vec3<T>& wo) const noexcept {
     if (!above(wi, wo)) return T(0);
     const Vec3<T> wm = reflection_half_vector(wi, wo);
-    if (!sees_facet(wo, wm)) return T(0);
+    if (!surface_.sees(wo, wm)) return T(0);
     return outgoing_density(surface_.pdf(wi, wm), reflection_jacobian(dot(wi, wm)));
   }
 
@@ -59,7 +65,7 @@ class ConductorBrdf {
   BsdfSample<T, Value> sample(const Vec3<T>& wi, T u1, T u2) const noexcept {
     const WeightedNormal<T> normal = surface_.sample_normal(wi, u1, u2);
     const Vec3<T> wo = reflect(wi, normal.wm);
-    if (!(normal.weight > T(0) && wo.z > T(0))) return {wo, Value{}, T(0)};
+    if (!(normal.weight > T(0) && surface_.height(wo) > T(0))) return {wo, Value{}, T(0)};
     const T cosine = dot(wi, normal.wm);
     const T weight = normal.weight * surface_.shadowing_of_reflection(wi, wo, normal.wm);
     return {wo, scaled(fresnel_(cosine), weight),
@@ -67,7 +73,9 @@ class ConductorBrdf {
   }
 
  private:
-  static bool above(const Vec3<T>& wi, const Vec3<T>& wo) { return wi.z >= T(0) && wo.z > T(0); }
+  bool above(const Vec3<T>& wi, const Vec3<T>& wo) const {
+    return surface_.height(wi) >= T(0) && surface_.height(wo) > T(0);
+  }
 
   static Value scaled(Value value, T factor) {
     for (T& channel : value) channel *= factor;

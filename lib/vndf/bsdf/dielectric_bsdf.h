@@ -31,12 +31,16 @@ class DielectricBsdf {
   /// `eta` > 0 is the refractive index below the surface over that above. Refers to `sampler`,
   /// which must outlive this object. Valid: what the sampler says of alpha.
   DielectricBsdf(const Sampler& sampler, const Alpha<T>& alpha, T eta, Masking = {})
-      : surface_(sampler, alpha), eta_(eta) {}
+      : DielectricBsdf(sampler, Surface<T>(alpha), eta) {}
+  /// The same with correlated slopes or a mean slope, as in ConductorBrdf.
+  DielectricBsdf(const Sampler& sampler, const Surface<T>& surface, T eta, Masking = {})
+      : surface_(sampler, surface), eta_(eta) {}
   DielectricBsdf(const Sampler&&, const Alpha<T>&, T, Masking = {}) = delete;
+  DielectricBsdf(const Sampler&&, const Surface<T>&, T, Masking = {}) = delete;
 
   /// f(wi, wo) |wo.z|.
   T evaluate(const Vec3<T>& wi, const Vec3<T>& wo) const noexcept {
-    if (wi.z < T(0)) return inside_out().evaluate(mirrored(wi), mirrored(wo));
+    if (surface_.height(wi) < T(0)) return inside_out().evaluate(mirrored(wi), mirrored(wo));
     const Facet facet = facet_between(wi, wo);
     const T density = outgoing_density(surface_.visible_density(wi, facet.wm), facet.jacobian);
     return density > T(0) ? facet.chance * shadowing(wi, wo, facet.wm) * density : T(0);
@@ -45,7 +49,7 @@ class DielectricBsdf {
   /// Density with which sample() draws wo, per solid angle. Its integral is 1 minus the
   /// probability that the light is lost.
   T pdf(const Vec3<T>& wi, const Vec3<T>& wo) const noexcept {
-    if (wi.z < T(0)) return inside_out().pdf(mirrored(wi), mirrored(wo));
+    if (surface_.height(wi) < T(0)) return inside_out().pdf(mirrored(wi), mirrored(wo));
     const Facet facet = facet_between(wi, wo);
     return facet.chance * outgoing_density(surface_.pdf(wi, facet.wm), facet.jacobian);
   }
@@ -54,7 +58,7 @@ class DielectricBsdf {
   /// f |wo.z| / pdf is G2 / G1 for visible normals (Algorithm 2), never above 1, and
   /// G2 (wi.wm) / (wi.z wm.z) for all normals (Algorithm 1), which has no bound.
   BsdfSample<T, T> sample(const Vec3<T>& wi, T u1, T u2, T u3) const noexcept {
-    if (wi.z < T(0)) {
+    if (surface_.height(wi) < T(0)) {
       auto drawn = inside_out().sample(mirrored(wi), u1, u2, u3);
       drawn.wo = mirrored(drawn.wo);
       return drawn;
@@ -66,7 +70,8 @@ class DielectricBsdf {
     const std::optional<Vec3<T>> refracted = refract(wi, normal.wm, eta_);
     const bool reflects = u3 < reflectance || !refracted;
     const Vec3<T> wo = reflects ? reflect(wi, normal.wm) : *refracted;
-    if (!(reflects ? wo.z > T(0) : wo.z < T(0))) return {wo, T(0), T(0)};
+    if (!(reflects ? surface_.height(wo) > T(0) : surface_.height(wo) < T(0)))
+      return {wo, T(0), T(0)};
     const T weight = normal.weight * shadowing(wi, wo, normal.wm);
     const T chance = reflects ? reflectance : T(1) - reflectance;
     return {wo, weight, chance * outgoing_density(normal.pdf, jacobian(wi, wo, normal.wm))};
@@ -81,28 +86,30 @@ class DielectricBsdf {
   };
 
   /// The same surface seen from below. Its facets are turned by 180 degrees, and D is the same.
-  DielectricBsdf inside_out() const { return {surface_.sampler(), surface_.alpha(), T(1) / eta_}; }
+  DielectricBsdf inside_out() const {
+    return {surface_.sampler(), surface_.surface().from_below(), T(1) / eta_};
+  }
   static Vec3<T> mirrored(const Vec3<T>& w) { return {w.x, w.y, -w.z}; }
 
   Facet facet_between(const Vec3<T>& wi, const Vec3<T>& wo) const {
-    const bool reflects = wo.z > T(0);
+    const bool reflects = surface_.height(wo) > T(0);
     const Vec3<T> wm =
         reflects ? reflection_half_vector(wi, wo) : transmission_half_vector(wi, wo, eta_);
     const T cosine = dot(wi, wm);
-    const bool joined = cosine > T(0) && wo.z != T(0) && sees_facet(wo, wm);
+    const bool joined = cosine > T(0) && surface_.height(wo) != T(0) && surface_.sees(wo, wm);
     if (!joined) return {wm, T(0), T(0)};
     const T reflectance = fresnel_dielectric(cosine, eta_);
     return {wm, reflects ? reflectance : T(1) - reflectance, jacobian(wi, wo, wm)};
   }
 
   T jacobian(const Vec3<T>& wi, const Vec3<T>& wo, const Vec3<T>& wm) const {
-    return wo.z > T(0) ? reflection_jacobian(dot(wi, wm))
-                       : refraction_jacobian(dot(wi, wm), dot(wo, wm), eta_);
+    return surface_.height(wo) > T(0) ? reflection_jacobian(dot(wi, wm))
+                                      : refraction_jacobian(dot(wi, wm), dot(wo, wm), eta_);
   }
 
   T shadowing(const Vec3<T>& wi, const Vec3<T>& wo, const Vec3<T>& wm) const {
-    return wo.z > T(0) ? surface_.shadowing_of_reflection(wi, wo, wm)
-                       : surface_.shadowing_of_transmission(wi, wo, wm);
+    return surface_.height(wo) > T(0) ? surface_.shadowing_of_reflection(wi, wo, wm)
+                                      : surface_.shadowing_of_transmission(wi, wo, wm);
   }
 
   Microsurface<Sampler, Masking> surface_;

@@ -1,12 +1,15 @@
-// A rough surface as a BSDF sees it: a sampler of normals, a roughness and a masking model. Heitz
+// A rough surface as a BSDF sees it: a sampler of normals, a surface (or its roughness alone, if it
+// is flat) and a masking model. Above and below are told by the mean facet. Heitz
 // and d'Eon 2014 sample a BSDF in two ways, which differ only here: Algorithm 2 draws visible
 // normals, and Algorithm 1 draws all normals and weights them by how visible they are.
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "vndf/bsdf/masking.h"
 #include "vndf/bsdf/normal_sampler.h"
+#include "vndf/surface.h"
 
 namespace vndf {
 
@@ -28,34 +31,47 @@ class Microsurface {
 
  public:
   /// Refers to `sampler`, which must outlive this object. Valid: what the sampler says of alpha.
+  Microsurface(const Sampler& sampler, const Surface<T>& surface, Masking = {})
+      : on_(sampler, surface) {}
   Microsurface(const Sampler& sampler, const Alpha<T>& alpha, Masking = {})
-      : sampler_(&sampler), alpha_(alpha) {}
+      : on_(sampler, Surface<T>(alpha)) {}
 
-  const Sampler& sampler() const noexcept { return *sampler_; }
-  const Alpha<T>& alpha() const noexcept { return alpha_; }
+  const Sampler& sampler() const noexcept { return on_.sampler(); }
+  const Surface<T>& surface() const noexcept { return on_.surface(); }
+
+  /// Positive for a direction above the surface, negative below, 0 along it.
+  T height(const Vec3<T>& w) const noexcept { return surface().projected_area(w); }
+
+  /// Whether `w` and the mean facet see the same side of the facet `wm`.
+  bool sees(const Vec3<T>& w, const Vec3<T>& wm) const noexcept {
+    return dot(w, wm) * std::copysign(T(1), height(w)) > T(0);
+  }
 
   /// D_wi(wm) = (G1(wi, wm) / wi.z) (wi.wm)+ D(wm) (equation 2), finite up to the horizon; 0 below
-  /// it.
+  /// it. All of it is that of the flat surface.
   T visible_density(const Vec3<T>& wi, const Vec3<T>& wm) const noexcept {
-    const T cosine = dot(wi, wm);
-    if (!(wi.z >= T(0) && cosine > T(0))) return T(0);
-    // At the horizon G1 / wi.z is 0 / 0. Its limit is reached long before this height.
+    const Vec3<T> w = on_.direction(wi);
+    const auto m = on_.normal(wm);
+    const T cosine = dot(w, m.unit);
+    if (!(w.z >= T(0) && cosine > T(0))) return T(0);
+    // At the horizon G1 / w.z is 0 / 0. Its limit is reached long before this height.
     constexpr T kLowest = T(1e-15);
-    const Vec3<T> above{wi.x, wi.y, std::max(wi.z, kLowest)};
-    return Masking::g1(*sampler_, above, wm, alpha_) / above.z * cosine * sampler_->d(wm, alpha_);
+    const Vec3<T> above{w.x, w.y, std::max(w.z, kLowest)};
+    return Masking::g1(sampler(), above, m.unit, alpha()) / above.z * cosine *
+           sampler().d(m.unit, alpha()) / m.cube();
   }
 
   /// Density with which sample_normal() draws `wm`; 0 for a facet that faces away from wi, or for
   /// wi below the horizon.
   T pdf(const Vec3<T>& wi, const Vec3<T>& wm) const noexcept {
-    return wi.z >= T(0) && dot(wi, wm) > T(0) ? sampler_->pdf(wi, wm, alpha_) : T(0);
+    return height(wi) >= T(0) && dot(wi, wm) > T(0) ? on_.pdf(wi, wm) : T(0);
   }
 
-  /// Draws a normal for wi.z >= 0. Its weight is 0 where the facet faces away. Otherwise it is 1
-  /// for a sampler of visible normals, and (wi.wm) G1 / (wi.z wm.z) for one of all normals, which
-  /// is the weight of Algorithm 1 without G2 / G1.
+  /// Draws a normal for wi above the surface. Its weight is 0 where the facet faces away. Otherwise
+  /// it is 1 for a sampler of visible normals, and (wi.wm) G1 / (wi.z wm.z) for one of all normals,
+  /// which is the weight of Algorithm 1 without G2 / G1.
   WeightedNormal<T> sample_normal(const Vec3<T>& wi, T u1, T u2) const noexcept {
-    const Vec3<T> wm = sampler_->sample(wi, alpha_, u1, u2);
+    const Vec3<T> wm = on_.sample(wi, u1, u2);
     const T density = pdf(wi, wm);
     if (!(density > T(0))) return {wm, T(0), T(0)};
     if constexpr (Sampler::kVisible) return {wm, T(1), density};
@@ -67,22 +83,26 @@ class Microsurface {
   /// G2 / G1(wi) in [0, 1] for wi and wo above the surface; 0 for wo on or below it.
   T shadowing_of_reflection(const Vec3<T>& wi, const Vec3<T>& wo,
                             const Vec3<T>& wm) const noexcept {
-    if (!(wo.z > T(0))) return T(0);
-    return Masking::shadowing_of_reflection(Masking::g1(*sampler_, wi, wm, alpha_),
-                                            Masking::g1(*sampler_, wo, wm, alpha_));
+    if (!(height(wo) > T(0))) return T(0);
+    return Masking::shadowing_of_reflection(masking(wi, wm), masking(wo, wm));
   }
 
   /// G2 / G1(wi) in [0, 1] for wi above the surface and wo below; 0 for wo on or above it.
   T shadowing_of_transmission(const Vec3<T>& wi, const Vec3<T>& wo,
                               const Vec3<T>& wm) const noexcept {
-    if (!(wo.z < T(0))) return T(0);
-    return Masking::shadowing_of_transmission(Masking::g1(*sampler_, wi, wm, alpha_),
-                                              Masking::g1(*sampler_, wo, wm, alpha_));
+    if (!(height(wo) < T(0))) return T(0);
+    return Masking::shadowing_of_transmission(masking(wi, wm), masking(wo, wm));
   }
 
  private:
-  const Sampler* sampler_;
-  Alpha<T> alpha_;
+  const Alpha<T>& alpha() const { return surface().alpha(); }
+
+  /// G1(w, wm).
+  T masking(const Vec3<T>& w, const Vec3<T>& wm) const {
+    return Masking::g1(sampler(), on_.direction(w), on_.normal(wm).unit, alpha());
+  }
+
+  OnSurface<Sampler> on_;
 };
 
 /// A direction that a BSDF draws. Light is lost where the facet faces away or wo leaves on the

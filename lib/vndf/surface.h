@@ -1,0 +1,157 @@
+// The surface that a scene has: rough along any axes, and tilted. Slopes of unit roughness s become
+// the slopes of the surface x = mean + M s, where M M^T says how they are stretched and correlated.
+// Filtered normal and displacement maps (Dupuy et al. 2013, LEADR) and scratches at any angle are
+// such surfaces.
+//
+// A facet of the slope x has the normal (-x, 1) up to its length, and we take M to be lower
+// triangular, M = ((a_x, 0), (k a_x, a_y)). Then the normals of the surface are those of the flat
+// surface of roughness (a_x, a_y), whose slopes have neither correlation nor mean, after a shear:
+//
+//   m = S m',   w.m = (S^T w).m',   S = ((1, 0, -mean_x), (k, 1, -mean_y), (0, 0, 1)),   |S| = 1.
+//
+// So every function of a sampler of flat surfaces serves this one, with directions S^T w and
+// normals S^-1 m, whatever the sampler is. Both are any length; D has the degree -4 in m', because
+// D(m) = p22(x) / m.z^4, and densities of visible normals have -3.
+//
+// Lambda and G1 are those relative to the mean normal, as in LEADR: G1(w) is the visible part of
+// the area that the mean facet (-mean, 1) shows to w, which is (S^T w).z.
+#pragma once
+
+#include <cmath>
+
+#include "vndf/vec.h"
+
+namespace vndf {
+
+/// A surface. Valid where its alpha is valid and all numbers are finite.
+template <class T>
+class Surface {
+ public:
+  /// Without correlation and mean.
+  Surface(const Alpha<T>& alpha) : alpha_(alpha) {}
+
+  /// Slopes along x and y in units of `alpha` with this correlation in (-1, 1) about the mean slope
+  /// (mean.x, mean.y): that of the facet (-mean.x, -mean.y, 1). These are the numbers that maps are
+  /// reported with (distributions/slope_map.h).
+  static Surface correlated(const Alpha<T>& alpha, T correlation, const Vec2<T>& mean = {0, 0}) {
+    const T along = std::sqrt((T(1) - correlation) * (T(1) + correlation));
+    return {{alpha.x, alpha.y * along}, correlation * alpha.y / alpha.x, mean};
+  }
+
+  /// The slopes have the covariance ((xx, xy), (xy, yy)) in units of the square of alpha, which is
+  /// twice the variance for Beckmann.
+  static Surface from_covariance(T xx, T xy, T yy, const Vec2<T>& mean = {0, 0}) {
+    const T x = std::sqrt(xx), k = xy / xx;
+    return {{x, std::sqrt(yy - k * xy)}, k, mean};
+  }
+
+  /// A surface of roughness `alpha` that was turned by `angle` radians about z, from x towards y.
+  static Surface turned(const Alpha<T>& alpha, T angle, const Vec2<T>& mean = {0, 0}) {
+    const T c = std::cos(angle), s = std::sin(angle);
+    const T a = alpha.x * alpha.x, b = alpha.y * alpha.y;
+    // The determinant of the covariance does not change, and cancels less than a difference.
+    const T xx = a * c * c + b * s * s, x = std::sqrt(xx);
+    return {{x, alpha.x * alpha.y / x}, (a - b) * c * s / xx, mean};
+  }
+
+  /// Roughness of the flat surface.
+  const Alpha<T>& alpha() const noexcept { return alpha_; }
+  const Vec2<T>& mean() const noexcept { return mean_; }
+  /// Whether the surface is its flat surface, so that nothing is to be done.
+  bool is_flat() const noexcept { return shear_ == T(0) && mean_.x == T(0) && mean_.y == T(0); }
+
+  /// S^T w: the direction to the flat surface, of any length.
+  Vec3<T> flattened_direction(const Vec3<T>& w) const noexcept {
+    return {w.x + shear_ * w.y, w.y, w.z - mean_.x * w.x - mean_.y * w.y};
+  }
+  /// S^-1 m: the normal of the flat surface, of any length.
+  Vec3<T> flattened_normal(const Vec3<T>& m) const noexcept {
+    const T x = m.x + mean_.x * m.z;
+    return {x, m.y + mean_.y * m.z - shear_ * x, m.z};
+  }
+  /// S m: inverse of flattened_normal().
+  Vec3<T> tilted_normal(const Vec3<T>& m) const noexcept {
+    return {m.x - mean_.x * m.z, m.y + shear_ * m.x - mean_.y * m.z, m.z};
+  }
+
+  /// The area that the mean facet shows to w for each unit of area of the surface: w.z where the
+  /// surface is flat. Negative where w is behind it.
+  T projected_area(const Vec3<T>& w) const noexcept { return flattened_direction(w).z; }
+
+  /// The same surface seen from below, in mirrored directions (x, y, -z).
+  Surface from_below() const noexcept { return {alpha_, shear_, {-mean_.x, -mean_.y}}; }
+
+ private:
+  Surface(const Alpha<T>& alpha, T shear, const Vec2<T>& mean)
+      : alpha_(alpha), shear_(shear), mean_(mean) {}
+
+  Alpha<T> alpha_;
+  T shear_ = 0;
+  Vec2<T> mean_{0, 0};
+};
+
+/// A sampler of flat surfaces, for a surface. Its functions are those of the sampler, bit for bit
+/// where the surface is flat, with the same fallbacks and errors. It refers to `sampler`, which
+/// must outlive it.
+template <class Sampler>
+class OnSurface {
+  using T = typename Sampler::Scalar;
+
+ public:
+  using Scalar = T;
+
+  OnSurface(const Sampler& sampler, const Surface<T>& surface)
+      : sampler_(&sampler), surface_(surface) {}
+  OnSurface(const Sampler&&, const Surface<T>&) = delete;
+
+  const Sampler& sampler() const noexcept { return *sampler_; }
+  const Surface<T>& surface() const noexcept { return surface_; }
+
+  /// Draws a unit normal seen from `wi`.
+  Vec3<T> sample(const Vec3<T>& wi, T u1, T u2) const noexcept {
+    const Vec3<T> m = sampler_->sample(direction(wi), surface_.alpha(), u1, u2);
+    return surface_.is_flat() ? m : normalize_or_up(surface_.tilted_normal(m));
+  }
+
+  /// Density of sample() per solid angle.
+  T pdf(const Vec3<T>& wi, const Vec3<T>& wm) const noexcept {
+    const FlatNormal m = normal(wm);
+    return sampler_->pdf(direction(wi), m.unit, surface_.alpha()) / m.cube();
+  }
+
+  /// The distribution of normals D(wm) per solid angle.
+  T d(const Vec3<T>& wm) const noexcept {
+    const FlatNormal m = normal(wm);
+    return sampler_->d(m.unit, surface_.alpha()) / (m.length * m.cube());
+  }
+
+  /// Smith's Lambda(w) relative to the mean normal.
+  T lambda(const Vec3<T>& w) const noexcept {
+    return sampler_->lambda(direction(w), surface_.alpha());
+  }
+  /// Smith's masking G1(w) = 1 / (1 + Lambda(w)) relative to the mean normal.
+  T g1(const Vec3<T>& w) const noexcept { return sampler_->g1(direction(w), surface_.alpha()); }
+
+  /// The unit direction to the flat surface.
+  Vec3<T> direction(const Vec3<T>& w) const noexcept {
+    return surface_.is_flat() ? w : normalize_or_up(surface_.flattened_direction(w));
+  }
+
+  /// The unit normal of the flat surface, and the length that it had.
+  struct FlatNormal {
+    Vec3<T> unit;
+    T length;
+    T cube() const { return length * length * length; }
+  };
+  FlatNormal normal(const Vec3<T>& wm) const noexcept {
+    if (surface_.is_flat()) return {wm, T(1)};
+    const Vec3<T> m = surface_.flattened_normal(wm);
+    return {normalize_or_up(m), std::sqrt(dot(m, m))};
+  }
+
+ private:
+  const Sampler* sampler_;
+  Surface<T> surface_;
+};
+
+}  // namespace vndf
