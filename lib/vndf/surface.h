@@ -56,6 +56,9 @@ class Surface {
 
   /// Roughness of the flat surface.
   const Alpha<T>& alpha() const noexcept { return alpha_; }
+  /// k of the shear.
+  T shear() const noexcept { return shear_; }
+  /// Mean slope.
   const Vec2<T>& mean() const noexcept { return mean_; }
   /// Whether the surface is its flat surface, so that nothing is to be done.
   bool is_flat() const noexcept { return shear_ == T(0) && mean_.x == T(0) && mean_.y == T(0); }
@@ -109,8 +112,11 @@ class OnSurface {
 
   /// Draws a unit normal seen from `wi`.
   Vec3<T> sample(const Vec3<T>& wi, T u1, T u2) const noexcept {
+    if (surface_.is_flat()) return sampler_->sample(wi, surface_.alpha(), u1, u2);
+    if constexpr (requires { sampler_->sample(wi, surface_, u1, u2); })
+      return sampler_->sample(wi, surface_, u1, u2);  // normalises once
     const Vec3<T> m = sampler_->sample(direction(wi), surface_.alpha(), u1, u2);
-    return surface_.is_flat() ? m : normalize_or_up(surface_.tilted_normal(m));
+    return normalize_or_up(surface_.tilted_normal(m));
   }
 
   /// Density of sample() per solid angle.

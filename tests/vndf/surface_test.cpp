@@ -10,6 +10,7 @@
 #include "support/bsdf_inputs.h"
 #include "support/built_tables.h"
 #include "support/catch.h"
+#include "vndf/baking/bake.h"
 #include "vndf/bsdf/conductor_brdf.h"
 #include "vndf/bsdf/dielectric_bsdf.h"
 #include "vndf/tabulated_sampler.h"
@@ -175,6 +176,26 @@ TEST_CASE("a flat surface gives the sampler's own numbers, to the last bit") {
     CHECK(on.d(wm) == beckmann().d(wm, in.alpha));
     CHECK(on.lambda(in.wi) == beckmann().lambda(in.wi, in.alpha));
     CHECK(on.g1(in.wi) == beckmann().g1(in.wi, in.alpha));
+  }
+}
+
+TEST_CASE("a kernel draws on a surface what the shear makes of its normals, to rounding") {
+  const KernelTables tables = bake(*small_tables("ggx").tables, {.tolerance = 1e-4});
+  const Kernel kernel = tables.kernel();
+  RandomInputs random(9);
+  for (int i = 0; i < 2000; ++i) {
+    const auto number = [&](double scale) { return static_cast<float>(scale * random.uniform()); };
+    const Vec3<double> w = random_direction(random, 60);
+    const Vec3<float> wi{static_cast<float>(w.x), static_cast<float>(w.y), static_cast<float>(w.z)};
+    const auto surface = Surface<float>::correlated({0.1f + number(1), 0.1f + number(1)},
+                                                    number(1.8) - 0.9f, {number(0.2), number(0.2)});
+    const float u1 = number(1), u2 = number(1);
+    const Vec3<float> drawn = OnSurface(kernel, surface).sample(wi, u1, u2);
+    const Vec3<float> flat =
+        kernel.sample(normalize_or_up(surface.flattened_direction(wi)), surface.alpha(), u1, u2);
+    const Vec3<float> sheared = normalize_or_up(surface.tilted_normal(flat));
+    CHECK(std::hypot(drawn.x - sheared.x, drawn.y - sheared.y, drawn.z - sheared.z) < 3e-6f);
+    CHECK(std::abs(dot(drawn, drawn) - 1) <= 2 * kLengthSlack<float>);
   }
 }
 

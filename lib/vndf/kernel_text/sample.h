@@ -160,11 +160,17 @@ VNDF_FUNCTION vec3 vndf_unit_or_up(vec3 m) {
   return make3(m.x * scale, m.y * scale, m.z * scale);
 }
 
+/// Steps 2 to 4 for one kind of tables: a normal of any length.
+VNDF_FUNCTION vec3 vndf_drawn_as(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w, float u1,
+                                 float u2, uint kind) {
+  VndfDraw draw = vndf_draw_as(t, w, u1, u2, kind);
+  return vndf_unstretched(t, w, draw.root * draw.root, draw.v, kind);
+}
+
 /// Steps 2 to 5 for one kind of tables.
 VNDF_FUNCTION vec3 vndf_sample_as(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w, float u1,
                                   float u2, uint kind) {
-  VndfDraw draw = vndf_draw_as(t, w, u1, u2, kind);
-  return vndf_unit_or_up(vndf_unstretched(t, w, draw.root * draw.root, draw.v, kind));
+  return vndf_unit_or_up(vndf_drawn_as(t, w, u1, u2, kind));
 }
 
 // Only the sampler of plain tables is put in place. Beside it the other one would take registers
@@ -185,6 +191,17 @@ VNDF_FUNCTION vec3 vndf_sample(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w, 
 VNDF_APART_FUNCTION vec3 vndf_sample_towards_any(VNDF_IN(VndfTables) t, VNDF_IN(vec3) wi,
                                                  float alpha_x, float alpha_y, float u1, float u2) {
   return vndf_sample_as(t, vndf_at(t, wi, alpha_x, alpha_y), u1, u2, kVndfAny);
+}
+
+VNDF_APART_FUNCTION vec3 vndf_drawn_any(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w, float u1,
+                                        float u2) {
+  return vndf_drawn_as(t, w, u1, u2, kVndfAny);
+}
+
+/// Steps 2 to 4: a normal of any length, for a direction that is stretched already.
+VNDF_FUNCTION vec3 vndf_drawn(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w, float u1, float u2) {
+  if (t.kind == kVndfPlain) return vndf_drawn_as(t, w, u1, u2, kVndfPlain);
+  return vndf_drawn_any(t, w, u1, u2);
 }
 
 /// Steps 1 to 5: a normal seen from `wi`.
