@@ -32,7 +32,7 @@ target_compile_options(vndf_batch PRIVATE -ffp-contract=off)
 
 # The texts that are exported are those of the headers: a change of one makes them again.
 set(VNDF_EMBEDDED_TEXTS)
-foreach(header vec.h kernel_language.h kernel_text.h kernel.h kernel_text/shading_language.h
+foreach(header vec.h rough_surface.h kernel_language.h kernel_text.h kernel.h kernel_text/shading_language.h
                kernel_text/tables.h kernel_text/sample.h kernel_text/map.h kernel_text/evaluate.h)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/vndf/${header})
   file(READ vndf/${header} text)

@@ -15,7 +15,7 @@
 #include <optional>
 
 #include "vndf/kernel_language.h"
-#include "vndf/surface.h"
+#include "vndf/rough_surface.h"
 #include "vndf/vec.h"
 
 namespace vndf {
@@ -86,10 +86,10 @@ class Kernel {
     return kernel::vndf_sample_towards(tables_, wi, alpha.x, alpha.y, u1, u2);
   }
 
-  /// The same for a surface with correlated slopes or a mean slope, which OnSurface (surface.h)
-  /// calls. A surface that is flat has the normals of its alpha, to rounding.
-  VNDF_DEVICE Vec3<float> sample(const Vec3<float>& wi, const Surface<float>& surface, float u1,
-                                 float u2) const noexcept {
+  /// The same for a surface with correlated slopes or a mean slope, which OnSurface
+  /// (bsdf/on_surface.h) calls. A surface that is flat has the normals of its alpha, to rounding.
+  VNDF_DEVICE Vec3<float> sample(const Vec3<float>& wi, const RoughSurface<float>& surface,
+                                 float u1, float u2) const noexcept {
     const kernel::VndfDirection w = kernel::vndf_at(tables_, surface.flattened_direction(wi),
                                                     surface.alpha().x, surface.alpha().y);
     return kernel::vndf_unit_or_up(surface.tilted_normal(kernel::vndf_drawn(tables_, w, u1, u2)));

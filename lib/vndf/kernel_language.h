@@ -45,13 +45,6 @@
 #define VNDF_COLD_FUNCTION VNDF_FUNCTION
 #endif
 
-/// A member function that device code calls too.
-#ifdef __CUDACC__
-#define VNDF_DEVICE __host__ __device__
-#else
-#define VNDF_DEVICE
-#endif
-
 /// A number that is known when the text is compiled.
 #define VNDF_CONSTANT constexpr
 /// A parameter that a function reads.

@@ -7,6 +7,13 @@
 #include <cmath>
 #include <limits>
 
+/// A member function that device code of CUDA calls too.
+#ifdef __CUDACC__
+#define VNDF_DEVICE __host__ __device__
+#else
+#define VNDF_DEVICE
+#endif
+
 namespace vndf {
 
 template <class T>

@@ -63,7 +63,7 @@ TEST_CASE("a metal is the BRDF of the library", "[render]") {
 
 TEST_CASE("all ways of sampling reflect the same share of light", "[render]") {
   for (const bool metal : {true, false}) {
-    const auto made = [&](const render::Surface& s) {
+    const auto made = [&](const Surface& s) {
       return metal ? s.metal(kAlpha, kMetals[0].fresnel) : s.glass(kAlpha, 1.5f);
     };
     const Mean exact = mean_weight(*made(*analytic_surface("ggx-exact", Sampling::visible)));

@@ -31,14 +31,15 @@ class ConductorBrdf {
 
   /// Refers to `sampler`, which must outlive this object. Valid: what the sampler says of alpha.
   ConductorBrdf(const Sampler& sampler, const Alpha<T>& alpha, const Fresnel& fresnel, Masking = {})
-      : ConductorBrdf(sampler, Surface<T>(alpha), fresnel) {}
+      : ConductorBrdf(sampler, RoughSurface<T>(alpha), fresnel) {}
   /// The same with correlated slopes or a mean slope. wi.z and wo.z in f are then the areas that
-  /// the mean facet shows to them (Surface::projected_area()), and tell what is above the surface.
-  ConductorBrdf(const Sampler& sampler, const Surface<T>& surface, const Fresnel& fresnel,
+  /// the mean facet shows to them (RoughSurface::projected_area()), and tell what is above the
+  /// surface.
+  ConductorBrdf(const Sampler& sampler, const RoughSurface<T>& surface, const Fresnel& fresnel,
                 Masking = {})
       : surface_(sampler, surface), fresnel_(fresnel) {}
   ConductorBrdf(const Sampler&&, const Alpha<T>&, const Fresnel&, Masking = {}) = delete;
-  ConductorBrdf(const Sampler&&, const Surface<T>&, const Fresnel&, Masking = {}) = delete;
+  ConductorBrdf(const Sampler&&, const RoughSurface<T>&, const Fresnel&, Masking = {}) = delete;
 
   /// f(wi, wo) wo.z for each channel.
   Value evaluate(const Vec3<T>& wi, const Vec3<T>& wo) const noexcept {

@@ -31,12 +31,12 @@ class DielectricBsdf {
   /// `eta` > 0 is the refractive index below the surface over that above. Refers to `sampler`,
   /// which must outlive this object. Valid: what the sampler says of alpha.
   DielectricBsdf(const Sampler& sampler, const Alpha<T>& alpha, T eta, Masking = {})
-      : DielectricBsdf(sampler, Surface<T>(alpha), eta) {}
+      : DielectricBsdf(sampler, RoughSurface<T>(alpha), eta) {}
   /// The same with correlated slopes or a mean slope, as in ConductorBrdf.
-  DielectricBsdf(const Sampler& sampler, const Surface<T>& surface, T eta, Masking = {})
+  DielectricBsdf(const Sampler& sampler, const RoughSurface<T>& surface, T eta, Masking = {})
       : surface_(sampler, surface), eta_(eta) {}
   DielectricBsdf(const Sampler&&, const Alpha<T>&, T, Masking = {}) = delete;
-  DielectricBsdf(const Sampler&&, const Surface<T>&, T, Masking = {}) = delete;
+  DielectricBsdf(const Sampler&&, const RoughSurface<T>&, T, Masking = {}) = delete;
 
   /// f(wi, wo) |wo.z|.
   T evaluate(const Vec3<T>& wi, const Vec3<T>& wo) const noexcept {

@@ -9,7 +9,7 @@
 
 #include "vndf/bsdf/masking.h"
 #include "vndf/bsdf/normal_sampler.h"
-#include "vndf/surface.h"
+#include "vndf/bsdf/on_surface.h"
 
 namespace vndf {
 
@@ -31,13 +31,13 @@ class Microsurface {
 
  public:
   /// Refers to `sampler`, which must outlive this object. Valid: what the sampler says of alpha.
-  Microsurface(const Sampler& sampler, const Surface<T>& surface, Masking = {})
+  Microsurface(const Sampler& sampler, const RoughSurface<T>& surface, Masking = {})
       : on_(sampler, surface) {}
   Microsurface(const Sampler& sampler, const Alpha<T>& alpha, Masking = {})
-      : on_(sampler, Surface<T>(alpha)) {}
+      : on_(sampler, RoughSurface<T>(alpha)) {}
 
   const Sampler& sampler() const noexcept { return on_.sampler(); }
-  const Surface<T>& surface() const noexcept { return on_.surface(); }
+  const RoughSurface<T>& surface() const noexcept { return on_.surface(); }
 
   /// Positive for a direction above the surface, negative below, 0 along it.
   T height(const Vec3<T>& w) const noexcept { return surface().projected_area(w); }

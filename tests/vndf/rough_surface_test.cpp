@@ -1,6 +1,6 @@
 // Surfaces with correlated slopes and a mean slope: the maps from and to the flat surface, the
 // closed form of Beckmann, the law of the normals, and BSDFs on them.
-#include "vndf/surface.h"
+#include "vndf/rough_surface.h"
 
 #include <array>
 #include <cmath>
@@ -30,8 +30,8 @@ const std::vector<Covariance> kCovariances{{0.04, 0, 0.25, {0.5, -0.2}},
                                            {0.09, -0.0855, 0.09, {0.3, 0.4}},
                                            {1, 0.5, 0.3, {-2, 1}}};
 
-Surface<double> surface_of(const Covariance& c) {
-  return Surface<double>::from_covariance(c.xx, c.xy, c.yy, c.mean);
+RoughSurface<double> surface_of(const Covariance& c) {
+  return RoughSurface<double>::from_covariance(c.xx, c.xy, c.yy, c.mean);
 }
 
 /// (x - mean)^T C^-1 (x - mean) for the slope x of `m`, by the inverse of the covariance.
@@ -55,7 +55,7 @@ double beckmann_lambda(const Covariance& c, const Vec3<double>& w) {
   return (std::exp(-nu * nu) / (nu * std::sqrt(std::numbers::pi)) - std::erfc(nu)) / 2;
 }
 
-Vec3<double> above_surface(RandomInputs& random, const Surface<double>& surface) {
+Vec3<double> above_surface(RandomInputs& random, const RoughSurface<double>& surface) {
   for (;;) {
     const Vec3<double> w = random_direction(random, 89);
     if (surface.projected_area(w) > 0.02) return w;
@@ -77,7 +77,7 @@ TEST_CASE("normals and directions of a surface keep their product, and the maps 
   RandomInputs random(1);
   for (const Covariance& c : kCovariances)
     for (int i = 0; i < 100; ++i) {
-      const Surface<double> surface = surface_of(c);
+      const RoughSurface<double> surface = surface_of(c);
       const Vec3<double> w = random_direction(random, 180), m = random_direction(random, 89);
       const Vec3<double> flat = surface.flattened_normal(m);
       CHECK(std::abs(dot(surface.flattened_direction(w), flat) - dot(w, m)) < 1e-14 * 16);
@@ -88,7 +88,7 @@ TEST_CASE("normals and directions of a surface keep their product, and the maps 
 
 TEST_CASE("a surface is the same by covariance, by correlation, and turned") {
   RandomInputs random(2);
-  const auto same = [&](const Surface<double>& a, const Surface<double>& b) {
+  const auto same = [&](const RoughSurface<double>& a, const RoughSurface<double>& b) {
     for (int i = 0; i < 20; ++i) {
       const Vec3<double> m = random_direction(random, 80);
       const OnSurface on_a(beckmann(), a), on_b(beckmann(), b);
@@ -96,13 +96,13 @@ TEST_CASE("a surface is the same by covariance, by correlation, and turned") {
     }
   };
   for (const Covariance& c : kCovariances)
-    same(surface_of(c), Surface<double>::correlated({std::sqrt(c.xx), std::sqrt(c.yy)},
-                                                    c.xy / std::sqrt(c.xx * c.yy), c.mean));
+    same(surface_of(c), RoughSurface<double>::correlated({std::sqrt(c.xx), std::sqrt(c.yy)},
+                                                         c.xy / std::sqrt(c.xx * c.yy), c.mean));
   const double angle = 0.4, cosine = std::cos(angle), sine = std::sin(angle), a = 0.25, b = 0.01;
-  same(Surface<double>::turned({0.5, 0.1}, angle, {0.1, 0}),
-       Surface<double>::from_covariance(a * cosine * cosine + b * sine * sine,
-                                        (a - b) * sine * cosine,
-                                        a * sine * sine + b * cosine * cosine, {0.1, 0}));
+  same(RoughSurface<double>::turned({0.5, 0.1}, angle, {0.1, 0}),
+       RoughSurface<double>::from_covariance(a * cosine * cosine + b * sine * sine,
+                                             (a - b) * sine * cosine,
+                                             a * sine * sine + b * cosine * cosine, {0.1, 0}));
 }
 
 TEST_CASE("D, Lambda, G1 and the density of Beckmann slopes are the closed form to 1e-5") {
@@ -168,7 +168,7 @@ TEST_CASE("a flat surface gives the sampler's own numbers, to the last bit") {
   RandomInputs random(6);
   for (int i = 0; i < 500; ++i) {
     const auto in = random.hard();
-    const OnSurface on(beckmann(), Surface<double>(in.alpha));
+    const OnSurface on(beckmann(), RoughSurface<double>(in.alpha));
     const Vec3<double> wm = beckmann().sample(in.wi, in.alpha, in.u1, in.u2);
     const Vec3<double> same = on.sample(in.wi, in.u1, in.u2);
     CHECK((same.x == wm.x && same.y == wm.y && same.z == wm.z));
@@ -187,8 +187,8 @@ TEST_CASE("a kernel draws on a surface what the shear makes of its normals, to r
     const auto number = [&](double scale) { return static_cast<float>(scale * random.uniform()); };
     const Vec3<double> w = random_direction(random, 60);
     const Vec3<float> wi{static_cast<float>(w.x), static_cast<float>(w.y), static_cast<float>(w.z)};
-    const auto surface = Surface<float>::correlated({0.1f + number(1), 0.1f + number(1)},
-                                                    number(1.8) - 0.9f, {number(0.2), number(0.2)});
+    const auto surface = RoughSurface<float>::correlated(
+        {0.1f + number(1), 0.1f + number(1)}, number(1.8) - 0.9f, {number(0.2), number(0.2)});
     const float u1 = number(1), u2 = number(1);
     const Vec3<float> drawn = OnSurface(kernel, surface).sample(wi, u1, u2);
     const Vec3<float> flat =
@@ -202,7 +202,7 @@ TEST_CASE("a kernel draws on a surface what the shear makes of its normals, to r
 TEST_CASE("a metal on a surface is reciprocal, and reflects what its samples weigh") {
   RandomInputs random(7);
   for (const Covariance& c : kCovariances) {
-    const Surface<double> surface = surface_of(c);
+    const RoughSurface<double> surface = surface_of(c);
     const ConductorBrdf metal(beckmann(), surface, PerfectMirror<double>{});
     for (int i = 0; i < 200; ++i) {
       const Vec3<double> wi = above_surface(random, surface), wo = above_surface(random, surface);
@@ -228,7 +228,7 @@ TEST_CASE("a metal on a surface is reciprocal, and reflects what its samples wei
 
 TEST_CASE("glass on a surface keeps its energy seen from either side") {
   RandomInputs random(8);
-  const Surface<double> surface = surface_of(kCovariances[0]);
+  const RoughSurface<double> surface = surface_of(kCovariances[0]);
   const DielectricBsdf glass(beckmann(), surface, 1.5);
   for (const double side : {1.0, -1.0}) {
     Vec3<double> wi = above_surface(random, surface);
