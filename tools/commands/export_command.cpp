@@ -69,14 +69,13 @@ std::optional<devices::ShadingLanguage> shading_language(const std::string& form
   return {};
 }
 
-bool has_constants(const Arguments& a, const KernelTables& tables) {
-  if (!a.place.empty()) return a.place == "constants";
-  return tables.bytes().size() <= devices::kMostConstantBytes;
+bool has_constants(const Arguments& a) {
+  return a.place == "constants";
 }
 
 std::string shading_source(const Arguments& a, const KernelTables& tables) {
   const auto place =
-      has_constants(a, tables) ? devices::TablePlace::constants : devices::TablePlace::buffer;
+      has_constants(a) ? devices::TablePlace::constants : devices::TablePlace::buffer;
   return devices::export_shading(tables, *shading_language(a.form), {name_of(a), place});
 }
 
@@ -91,8 +90,8 @@ std::string exported(const Arguments& a, const KernelTables& tables) {
 }
 
 /// What a source that reads the tables from a buffer needs beside it.
-std::string advice(const Arguments& a, const KernelTables& tables) {
-  if (!shading_language(a.form) || has_constants(a, tables)) return {};
+std::string advice(const Arguments& a) {
+  if (!shading_language(a.form) || has_constants(a)) return {};
   return fmt::format("It reads the tables from a buffer: the bytes of {}.\n",
                      names_baked_tables(a.input) ? support::printable(a.input)
                                                  : "the file that --as bytes writes");
@@ -118,7 +117,7 @@ void export_tables(const Arguments& a, const std::string& command_line) {
   write_file(a.output, text);
   if (!a.quiet)
     std::cout << fmt::format("wrote {}, {} bytes\n", support::printable(a.output), text.size())
-              << advice(a, tables);
+              << advice(a);
 }
 
 }  // namespace
@@ -142,10 +141,9 @@ void add_export(CLI::App& app, const std::string& command_line) {
   command->add_option("--name", a->name, "Of the tables in the source; that of the file");
   command
       ->add_option("--tables", a->place,
-                   fmt::format("Where glsl, hlsl and metal have the tables: constants, or buffer; "
-                               "constants up to {} bytes",
-                               devices::kMostConstantBytes))
-      ->check(CLI::IsMember({"constants", "buffer"}));
+                   "Where glsl, hlsl and metal have the tables: buffer, or constants, for the "
+                   "smallest tables (default buffer)")
+      ->check(CLI::IsMember({"buffer", "constants"}));
   add_bake_options(*command, a->baking);
   add_force(*command, a->force);
   add_threads(*command, a->threads);

@@ -86,14 +86,14 @@ struct ShadingParts {
 constexpr std::string_view kGlslConstants = R"(#ifdef VNDF_WORD
 #error "only one source can have its tables as constants: export them for a buffer"
 #endif
-const uvec4 vndf_@NAME@_words[@COUNT@] = uvec4[@COUNT@](
+uvec4 vndf_@NAME@_words[@COUNT@] = uvec4[@COUNT@](
 @NUMBERS@);
 #define VNDF_WORD(k) vndf_@NAME@_words[k]
 )";
 constexpr std::string_view kHlslConstants = R"(#ifdef VNDF_WORD
 #error "only one source can have its tables as constants: export them for a buffer"
 #endif
-static const uint4 vndf_@NAME@_words[@COUNT@] = {
+static uint4 vndf_@NAME@_words[@COUNT@] = {
 @NUMBERS@};
 #define VNDF_WORD(k) vndf_@NAME@_words[k]
 )";

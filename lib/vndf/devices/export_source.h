@@ -13,18 +13,14 @@ namespace vndf::devices {
 
 /// Where the source finds the tables.
 enum class TablePlace {
-  constants,  ///< in the source
   buffer,     ///< in memory that the renderer fills with the bytes of the block
+  constants,  ///< in the source, for the smallest tables: many compilers copy them for each thread
 };
 
 struct ShadingOptions {
   std::string name;  ///< of the tables, an identifier; see check_name()
-  TablePlace place = TablePlace::constants;
+  TablePlace place = TablePlace::buffer;
 };
-
-/// Most bytes of tables that are put into a shader as constants if nothing else is asked for:
-/// what every Vulkan device has for a uniform buffer. Compilers move larger arrays to slow memory.
-inline constexpr std::size_t kMostConstantBytes = 16384;
 
 /// Returns the rule that `name` breaks, or nothing: it must be an identifier in all languages, of
 /// letters, digits and single underscores, with a letter first.
