@@ -35,8 +35,9 @@ set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
     "libboost-dev, libhdf5-dev, libhwy-dev, libmuparser-dev, libopenexr-dev, libpng-dev, \
 libtiff-dev, zlib1g-dev")
 find_program(VNDF_SHLIBDEPS dpkg-shlibdeps)
-mark_as_advanced(VNDF_SHLIBDEPS)
-if(VNDF_SHLIBDEPS)
+find_program(VNDF_FILE file)  # with which CPack finds the programs in a package
+mark_as_advanced(VNDF_SHLIBDEPS VNDF_FILE)
+if(VNDF_SHLIBDEPS AND VNDF_FILE)
   set(CPACK_DEBIAN_TOOLS_PACKAGE_SHLIBDEPS ON)
 endif()
 set(CPACK_DEBIAN_TOOLS_PACKAGE_RECOMMENDS gnuplot-nox)  # for vndf picture

@@ -6,7 +6,7 @@ set -eu
 packages="g++ cmake ninja-build libboost-dev libhdf5-dev libopenexr-dev catch2 libcli11-dev
   libfmt-dev libhwy-dev libmuparser-dev nlohmann-json3-dev gnuplot-nox libbenchmark-dev
   doxygen doxygen-awesome-css zlib1g-dev libpng-dev libtiff-dev
-  libembree-dev help2man dpkg-dev"
+  libembree-dev help2man dpkg-dev file"
 
 missing=""
 for package in $packages "$@"; do
