@@ -20,12 +20,12 @@ inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 /// The random numbers (u1, u2) in [0, 1] that a sampler turns into one normal.
 using RandomPair = Vec2<double>;
 
-/// A unit direction wi with wi.z >= 0 and a roughness > 0 along x and y.
+/// A unit direction wi and a roughness > 0 along x and y. Checks of samplers are made at wi.z >= 0.
 struct Configuration {
   Vec3<double> wi;
   Alpha<double> alpha;
 
-  /// Angle between wi and the normal of the surface, in degrees from 0 to 90.
+  /// Angle between wi and the normal of the surface, in degrees from 0 to 180.
   double theta() const { return std::atan2(std::hypot(wi.x, wi.y), wi.z) / kDegree; }
 
   bool operator==(const Configuration& o) const {
@@ -39,7 +39,7 @@ inline double to_single(double v) {
   return static_cast<double>(static_cast<float>(v));
 }
 
-/// The configuration at incidence `theta` in [0, 90] and azimuth `phi`, both in degrees. At 90
+/// The configuration at incidence `theta` in [0, 180] and azimuth `phi`, both in degrees. At 90
 /// degrees wi.z is exactly 0, so that the horizon itself is among the configurations.
 inline Configuration at_angles(double theta, double phi, double alpha_x, double alpha_y) {
   const double sine = std::sin(theta * kDegree);

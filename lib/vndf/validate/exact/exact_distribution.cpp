@@ -55,8 +55,9 @@ double ExactSlopes::d(const Vec3<double>& wm, const Alpha<double>& alpha) const 
 
 double ExactSlopes::visible_area(const Vec3<double>& w, const Alpha<double>& alpha) const {
   const double horizontal = slopes_.mean_slope() * std::hypot(alpha.x * w.x, alpha.y * w.y);
-  if (horizontal == 0) return w.z;
-  return w.z + horizontal * slopes_.backfacing(w.z / horizontal).value;
+  const double above = std::max(w.z, 0.0);
+  if (horizontal == 0) return above;
+  return above + horizontal * slopes_.backfacing(std::abs(w.z) / horizontal).value;
 }
 
 double ExactSlopes::lambda(const Vec3<double>& w, const Alpha<double>& alpha) const {

@@ -62,7 +62,8 @@ class ExactSlopes {
   double d(const Vec3<double>& wm, const Alpha<double>& alpha) const;
   double lambda(const Vec3<double>& w, const Alpha<double>& alpha) const;
   double g1(const Vec3<double>& w, const Alpha<double>& alpha) const;
-  /// w.z / G1(w): the projected area of the facets that face w, positive at the horizon too.
+  /// The projected area of the facets that face w, a unit vector on either side of the horizon:
+  /// w.z / G1(w) above it.
   double visible_area(const Vec3<double>& w, const Alpha<double>& alpha) const;
 
  private:
@@ -114,7 +115,8 @@ enum class Use {
   few    ///< each radius is an integral of its own, of some 10 microseconds
 };
 
-/// The exact distribution of the normals of `kind` at one configuration.
+/// The exact distribution of the normals of `kind` at one configuration, of Smith's surface from
+/// below the horizon too where something is visible.
 class ExactDistribution {
  public:
   /// `exact` must outlive this object.

@@ -142,7 +142,8 @@ NormalQuadrature normal_quadrature(const ExactSlopes& exact, SampledNormals kind
   const RadialDistribution own(exact.unit_slopes(),
                                smith ? frame.cotangent() : bounded_cotangent(1.0, 0.0));
   const double end = farthest(exact, own, c);
-  const double cotangent = std::log(frame.cotangent().sigma / frame.cotangent().complement);
+  const double cotangent =
+      std::abs(std::log(frame.cotangent().sigma / frame.cotangent().complement));
   auto result = Nodes(exact, kind, c).fill(segment_ends(exact, cotangent, end));
   result.covered = own.cdf(end).u;
   return result;

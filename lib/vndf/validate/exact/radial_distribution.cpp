@@ -58,18 +58,25 @@ double visible_density(const UnitSlopes& slopes, double cosine, double sine, dou
 }  // namespace
 
 AngularMass angular_mass(double cosine, double sine, double h, double w) {
+  constexpr double kPi = std::numbers::pi;
   const double vertical = cosine * w, horizontal = sine * h;
-  if (vertical >= horizontal) return {0, vertical * std::numbers::pi};
+  if (vertical >= horizontal) return {0, vertical * kPi};
+  if (vertical <= -horizontal) return {kPi, 0};
+  if (vertical < 0) {
+    // The half that is seen is narrow, and the angle to its edge keeps the digits.
+    const double seen = 2 * std::asin(std::sqrt((horizontal + vertical) / (2 * horizontal)));
+    return {kPi - seen, horizontal * (std::sin(seen) - seen * std::cos(seen))};
+  }
   const double phi0 = std::acos(vertical / horizontal);
   const double reach = std::sqrt((horizontal - vertical) * (horizontal + vertical));
-  return {phi0, vertical * (std::numbers::pi - phi0) + reach};
+  return {phi0, vertical * (kPi - phi0) + reach};
 }
 
 RadialDistribution::RadialDistribution(const UnitSlopes& slopes, const BoundedSlope<double>& c)
     : slopes_(&slopes),
       cosine_(c.numerator() / c.hypotenuse()),
       sine_(c.denominator() / c.hypotenuse()) {
-  const auto ends = smooth_ends(slopes, asinh_of(c));
+  const auto ends = smooth_ends(slopes, std::abs(asinh_of(c)));
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
     segments_.push_back({ends[k], ends[k + 1], {}});
     fill(segments_.back());
@@ -154,13 +161,12 @@ Probability<double> RadialDistribution::cdf(double a) const {
 Probability<double> radial_cdf(const UnitSlopes& slopes, const RadialDistribution& all,
                                const BoundedSlope<double>& c, double a) {
   const double cosine = c.numerator() / c.hypotenuse(), sine = c.denominator() / c.hypotenuse();
-  const double cotangent = asinh_of(c);
-  // All facets below the cotangent are visible from every side.
-  const double near = std::min(a, cotangent);
-  const double area =
-      cosine +
-      (std::isinf(cotangent) ? 0 : sine * slopes.m(cotangent) - cosine * slopes.q(cotangent));
-  const double below = cosine * all.cdf(near).u;
+  const double cotangent = std::abs(asinh_of(c));
+  // From above all facets below the cotangent are visible from every side, from below none is.
+  const double hidden =
+      std::isinf(cotangent) ? 0 : sine * slopes.backfacing(std::abs(c.slope())).value;
+  const double area = std::max(cosine, 0.0) + hidden;
+  const double below = std::max(cosine, 0.0) * all.cdf(std::min(a, cotangent)).u;
   if (a <= cotangent) return {below / area, 1 - below / area};
   const auto f = [&](double t) { return visible_density(slopes, cosine, sine, t); };
   const auto ends = smooth_ends(slopes, cotangent);

@@ -2,9 +2,10 @@
 // slope. In polar slopes (r, phi) the visible density of Heitz and d'Eon 2014, equation 10, is
 // p22(r) r (cos t - r sin t cos phi)+ / N. Its integral over phi is closed,
 //
-//   A(r) = 2 [cos t (pi - phi0) + r sin t sin phi0],  phi0 = acos(min(1, c / r))
+//   A(r) = 2 [cos t (pi - phi0) + r sin t sin phi0],  phi0 = acos(clamp(c / r, -1, 1))
 //
-// so that the radius has the density p22(r) r A(r) / N, one integral away from its CDF.
+// from above the horizon (c >= 0) and from below it, where slopes of radius |c| or less are not
+// seen. so that the radius has the density p22(r) r A(r) / N, one integral away from its CDF.
 //
 // The table builder works in Cartesian slopes and never forms this integral. The panels, the
 // interpolation and the normalisation here are the validator's own, so that it does not repeat a
@@ -40,16 +41,16 @@ AngularMass angular_mass(double cosine, double sine, double h, double w);
 /// The CDF of the radius at one incidence, tabulated.
 class RadialDistribution {
  public:
-  /// Sums p22 over graded panels, seen from cotangent `c` >= 0, infinite and 0 included. This takes
-  /// some milliseconds. `slopes` must outlive this object.
+  /// Sums p22 over graded panels, seen from cotangent `c` of either sign, at which something is
+  /// visible. This takes some milliseconds. `slopes` must outlive this object.
   RadialDistribution(const precompute::UnitSlopes& slopes, const BoundedSlope<double>& c);
 
   /// P(R <= sinh(a)) and its complement at a >= 0, infinite included. Maximum errors: kRadialError
   /// and kRadialTailError.
   Probability<double> cdf(double a) const;
 
-  /// The integral of p22 (cos t - x sin t)+ over the slope plane, which is (cos t)(1 + Lambda). It
-  /// is summed over radii, where the table builder sums over Cartesian slopes.
+  /// The integral of p22 (cos t - x sin t)+ over the slope plane, which is (cos t)(1 + Lambda) from
+  /// above. It is summed over radii, where the table builder sums over Cartesian slopes.
   double visible_area() const { return visible_area_; }
 
  private:
