@@ -27,8 +27,17 @@ struct TableErrors {
   TailRatios lower, upper;
 };
 
+/// The smallest projected area of the facets that face a direction, per area of a surface of unit
+/// mean slope, at which errors are measured.
+inline constexpr double kLeastArea = 1e-12;
+
 struct Certificate {
+  /// Of the marginal for directions above the horizon, and of the conditional.
   TableErrors marginal, conditional;
+  /// Of the marginal for directions below the horizon that see at least kLeastArea of the surface;
+  /// zeros where tables have nothing for these. Where the visible slopes differ by little, as at
+  /// the rim of a bounded distribution, rounding to single precision is most of it.
+  TableErrors below;
   double max_d_error = 0;       ///< relative, over slopes to the radius that 1e-12 of them exceed
   double max_lambda_error = 0;  ///< relative to 1 + Lambda, which is that of G1
   double max_pdf_error = 0;     ///< relative, over sampled normals
@@ -56,6 +65,7 @@ template <class C, class Visit>
 void for_each_figure(C& certificate, Visit visit) {
   for_each_table_figure(certificate.marginal, "marginal", visit);
   for_each_table_figure(certificate.conditional, "conditional", visit);
+  for_each_table_figure(certificate.below, "below", visit);
   visit(std::string("max_d_error"), certificate.max_d_error);
   visit(std::string("max_lambda_error"), certificate.max_lambda_error);
   visit(std::string("max_pdf_error"), certificate.max_pdf_error);

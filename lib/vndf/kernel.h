@@ -7,8 +7,9 @@
 // In every function directions are unit vectors of the shading frame (vec.h), alpha is in the units
 // of the distribution's own definition and densities are per solid angle. alpha > 0 is tested from
 // 1e-4 to 10 at ratios up to 1:1000; any u is moved into [2^-25, 1 - 2^-24]. For an input outside
-// its range (alpha <= 0, a component that is not a number, wi below the horizon) each function
-// returns the fallback that it states; no function allocates or throws. How far the sampled
+// its range (alpha <= 0, a component that is not a number) each function returns the fallback that
+// it states; no function allocates or throws. wi may be any direction, also below the horizon, as a
+// walk inside the microsurface needs it. How far the sampled
 // distribution is from the exact one is in the certificate of its tables (certificate.h).
 #pragma once
 
@@ -77,10 +78,14 @@ class Kernel {
     return {tables_, wi, alpha};
   }
 
-  /// Draws a normal visible from `wi` (wi.z >= 0). slope_x increases with u1 and slope_y with u2 in
-  /// the frame of the stretched incident direction; at the exact pole its azimuth is taken as 0.
+  /// Draws a normal visible from `wi`. slope_x increases with u1 and slope_y with u2 in
+  /// the frame of the stretched incident direction; at an exact pole its azimuth is taken as 0.
   /// Returns a unit normal, to kLengthSlack<float>, with wm.z > 0 and dot(wi, wm) >=
-  /// -kFacingSlack<float>; (0, 0, 1) for an input outside its range.
+  /// -kFacingSlack<float>; (0, 0, 1) for an input outside its range. From below the horizon it is
+  /// also (0, 0, 1) where nothing is visible: where slopes are bounded, from directions that see
+  /// less than 1e-13 of the surface, and where the tables were baked without below_horizon.
+  /// Straight from below infinite slopes are visible, and the normal is horizontal, but for
+  /// rounding, as it is in the limit along azimuth 0.
   VNDF_DEVICE Vec3<float> sample(const Vec3<float>& wi, const Alpha<float>& alpha, float u1,
                                  float u2) const noexcept {
     return kernel::vndf_sample_towards(tables_, wi, alpha.x, alpha.y, u1, u2);
@@ -133,8 +138,15 @@ class Kernel {
     return kernel::vndf_g1(tables_, w, alpha.x, alpha.y);
   }
 
-  /// Density of the exact distribution per solid angle, D_wi(wm) = dot(wi, wm)+ D(wm) / (wi.z (1 +
-  /// Lambda(wi))) (equation 2), finite up to the horizon; 0 for an input outside its range.
+  /// Projected area of the facets that face `w`, per area of the surface: w.z (1 + Lambda(w)) above
+  /// the horizon and |w.z| Lambda(w) below it; 0 for an input outside its range.
+  VNDF_DEVICE float visible_area(const Vec3<float>& w, const Alpha<float>& alpha) const noexcept {
+    return kernel::vndf_visible_area(tables_, w, alpha.x, alpha.y);
+  }
+
+  /// Density of the exact distribution per solid angle, D_wi(wm) = dot(wi, wm)+ D(wm) over the
+  /// visible area of wi (equation 2); 0 for an input outside its range and where nothing is
+  /// visible.
   VNDF_DEVICE float pdf(const Vec3<float>& wi, const Vec3<float>& wm,
                         const Alpha<float>& alpha) const noexcept {
     return kernel::vndf_pdf(tables_, wi, wm, alpha.x, alpha.y);

@@ -57,7 +57,8 @@ class Checker {
     require(h.header_bytes == sizeof(KernelHeader), "a header of another size");
     require(h.bytes == bytes_.size() && h.bytes <= kKernelMostBytes,
             "the bytes are fewer or more than the header says");
-    require(h.sampling_bytes <= h.bytes, "more bytes for sampling than there are");
+    require(h.sampling_bytes <= h.bytes && h.below_bytes <= h.bytes - h.sampling_bytes,
+            "more bytes for sampling than there are");
     require(h.checksum == kernel_checksum(bytes_),
             "the checksum does not match: bytes were changed");
     check_text();
@@ -102,14 +103,10 @@ class Checker {
     // The root of twice the least u is 2^-12.
     const float low = h.column_roots != 0 ? h.column_offset + 0x1p-12f : kernel::kVndfLeastU;
     const float high = h.column_roots != 0 ? 1 + h.column_offset : 0.5f;
-    const std::uint32_t upper = h.column_upper - kernel::kVndfSign;
-    require_apart(upper);
     require_keys(h.direction, key(h.direction_offset, h.direction),
                  key(1 + h.direction_offset, h.direction));
-    require_keys(h.marginal, key(low, h.marginal), key(high, h.marginal));
-    require_keys(h.marginal, key(raised(low, upper), h.marginal),
-                 key(raised(high, upper), h.marginal));
-    check_second_columns(low, high);
+    check_first_columns(h.marginal, low, high);
+    check_second_columns(h.conditional, low, high);
     require(h.marginal.shift == h.conditional.shift, "the columns of the tables differ in shift");
     const std::size_t patch = h.separable != 0 ? kCubicBytes : kPatchBytes;
     std::size_t row = 0;
@@ -118,19 +115,53 @@ class Checker {
     }
     require_inside(largest_offset(h.marginal) + largest_offset(h.direction) + kPatchBytes);
     require_inside(largest_offset(h.conditional) + row + patch);
+    if (h.below_bytes != 0)
+      check_below(low, high);
+    else
+      require(h.below_most_cotangent == 0, "directions below the horizon have no patches");
   }
 
-  void check_second_columns(float low, float high) const {
+  /// What directions below the horizon have of their own.
+  void check_below(float low, float high) const {
     const KernelHeader& h = header();
-    if (h.separable != 0)
-      return require_keys(h.conditional, key(low, h.conditional), key(high, h.conditional));
+    const float most = 1 + h.direction_offset;
+    require(h.below_most_cotangent > 0 && h.below_least_place > 0 && h.below_least_place < most,
+            "the axis of directions below the horizon has no length");
+    require_keys(h.below_direction, key(h.below_least_place, h.below_direction),
+                 key(most, h.below_direction));
+    require(h.below_marginal.shift == h.marginal.shift,
+            "the columns of the tables differ in shift");
+    check_first_columns(h.below_marginal, low, high);
+    require_inside(largest_offset(h.below_marginal) + largest_offset(h.below_direction) +
+                   kPatchBytes);
+    if (h.separable != 0) return;
+    require(h.below_conditional.shift == h.marginal.shift,
+            "the columns of the tables differ in shift");
+    check_second_columns(h.below_conditional, low, high);
+    require(h.below_slope_most >= h.slope_offset && h.below_slope_most < 1,
+            "the axis of rows of y has no length");
+    require_keys(h.below_slope, key(h.slope_offset, h.below_slope),
+                 key(h.below_slope_most, h.below_slope));
+    require_inside(largest_offset(h.below_conditional) + largest_offset(h.below_slope) +
+                   kPatchBytes);
+  }
+
+  void check_first_columns(const KernelAxis& axis, float low, float high) const {
+    const std::uint32_t upper = header().column_upper - kernel::kVndfSign;
+    require_apart(upper);
+    require_keys(axis, key(low, axis), key(high, axis));
+    require_keys(axis, key(raised(low, upper), axis), key(raised(high, upper), axis));
+  }
+
+  void check_second_columns(const KernelAxis& axis, float low, float high) const {
+    const KernelHeader& h = header();
+    if (h.separable != 0) return require_keys(axis, key(low, axis), key(high, axis));
     const float middle = h.column_span / 2;
     require(middle > low && middle < high, "the middle of the columns is not between their ends");
     require(h.column_span - high >= low, "the mirror of a column is before the first");
     require_apart(h.column_mirror);
     for (const std::uint32_t mirrored : {0u, h.column_mirror})
-      require_keys(h.conditional, key(raised(low, mirrored), h.conditional),
-                   key(raised(middle, mirrored), h.conditional));
+      require_keys(axis, key(raised(low, mirrored), axis), key(raised(middle, mirrored), axis));
   }
 
   /// `added` must make a place some power of two larger when it is added to its bits.

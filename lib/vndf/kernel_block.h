@@ -51,24 +51,27 @@ struct KernelHeader {
   std::uint64_t bytes;           ///< of the whole block
   std::uint64_t checksum;        ///< kernel_checksum() of all bytes but these eight
   std::uint64_t sampling_bytes;  ///< of the guides and patches, which sampling reads
+  std::uint64_t below_bytes;     ///< of those for directions below the horizon; 0 if there are none
   KernelAxis direction, marginal, conditional;
   KernelAxis slope;  ///< its guide has two entries for each key, of the map and of rows of y
+  /// For directions below the horizon; the last two where tables are not separable.
+  KernelAxis below_direction, below_marginal, below_conditional, below_slope;
   float unit, scale_root, scale_constant, rim;
   float least_root, most_root, direction_offset, slope_middle, slope_offset, slope_most,
-      column_offset, column_span;
-  std::uint32_t column_upper, column_mirror, column_roots, slope_upper, separable;
+      column_offset, column_span, below_most_cotangent, below_least_place, below_slope_most;
+  std::uint32_t column_upper, column_mirror, column_roots, slope_upper, separable, reserved;
   kernel::VndfCurve ndf, backfacing;
   std::uint32_t text, text_bytes;       ///< the texts of KernelText, each with a 0 after it
   std::uint32_t certified;              ///< 1 where the certificate was measured of the kernel
   std::uint32_t samples, sample_count;  ///< of the specification, two float64 each: radius, density
   double tolerance;                     ///< for which it was baked, in u
   double difference_x, difference_y;    ///< largest differences in u from the pair
-  std::array<double, 25> certificate;
+  std::array<double, 36> certificate;
 };
 static_assert(sizeof(KernelHeader) % 16 == 0);
 
 inline constexpr char kKernelMagic[] = "vndfkern";
-inline constexpr std::uint32_t kKernelVersion = 2;
+inline constexpr std::uint32_t kKernelVersion = 3;
 /// Blocks begin at a multiple of it.
 inline constexpr std::size_t kKernelAlignment = 64;
 /// Most bytes of a block.

@@ -176,6 +176,15 @@ Kernel KernelTables::kernel() const {
   t.separable = h.separable;
   const bool plain = h.separable != 0 && h.rim == 0 && h.column_roots == 0;
   t.kind = plain ? kernel::kVndfPlain : kernel::kVndfAny;
+  t.below.most_cotangent = h.below_most_cotangent;
+  t.below.least_place = h.below_least_place;
+  t.below.direction_guide = guide(h.below_direction);
+  t.below.direction_shift = h.below_direction.shift;
+  t.below.marginal_guide = guide(h.below_marginal);
+  t.below.conditional_guide = guide(h.separable != 0 ? h.conditional : h.below_conditional);
+  t.below.slope_guide = guide(h.below_slope);
+  t.below.slope_shift = h.below_slope.shift;
+  t.below.slope_most = h.below_slope_most;
   t.ndf = h.ndf;
   t.backfacing = h.backfacing;
   t.block.bytes = reinterpret_cast<const unsigned char*>(bytes_.data());

@@ -65,7 +65,8 @@ class KernelTables {
 };
 
 struct LoadOptions {
-  /// Largest u-error that the certificate may admit.
+  /// Largest u-error that the certificate may admit for directions above the horizon;
+  /// Certificate::below has that for those below it.
   double max_u_error = std::numeric_limits<double>::infinity();
 };
 

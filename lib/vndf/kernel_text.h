@@ -17,7 +17,7 @@
 // axes are
 //
 //   incidence   g + an offset, where g = 1 / (1 + c), c = cot(theta) in units of U. g is 0 at the
-//               pole and 1 at grazing.
+//               pole and 1 at grazing. Below the horizon g = 1 / (1 - c), on an axis of its own.
 //   u1          p = q below one half, and a power of two times p above it, which keeps the halves
 //               apart, where q = min(u1, 1 - u1): both ends keep their full relative precision.
 //               Where tables are to be small p = sqrt(2 q) + an offset instead, for slope x is
@@ -36,6 +36,10 @@
 // scale. For any other distribution a cell of the marginal is a patch of s, in which the
 // distribution is smooth too; the pair's map, a cubic of s, gives the root of sigma; and a cell of
 // the conditional is a patch in u2 and in s.
+//
+// Directions below the horizon see only steep slopes, far in the tail, which neither s nor the rows
+// of y over s tell apart. So a cell of their marginal is a patch of the root of sigma over that of
+// g, whatever the distribution, and their rows of y are over the root.
 //
 // In memory the four coefficients of a cubic are (c0, c2, c1, c3), because two lanes at a time are
 // then added.

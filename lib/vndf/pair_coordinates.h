@@ -26,6 +26,9 @@ struct PairCoordinates {
   BoundedSlope<double> marginal_row_inverse(double row) const {
     return marginal_base_inverse(marginal_rows.base(row));
   }
+  /// Whether the marginal table has rows for directions below the horizon, as all have that are
+  /// built.
+  bool reaches_below() const { return marginal_rows.base(1) > 1; }
 
   /// Row coordinate of the conditional table at the slope `x`; the same for x and -x.
   double conditional_row(const BoundedSlope<double>& x) const {

@@ -1,7 +1,7 @@
 // Where the rows of a table lie. Rows must be crowded where a table changes fast: at the edge of a
 // compact distribution, around a kink, at both scales of a mixture. The axis is a monotone
-// piecewise linear map from the base coordinate of table_coordinates.h to the row coordinate, both
-// in [0, 1].
+// piecewise linear map from the base coordinate of table_coordinates.h to the row coordinate, which
+// is in [0, 1].
 #pragma once
 
 #include <algorithm>
@@ -17,8 +17,8 @@ struct RowKnot {
 class RowAxis {
  public:
   /// Takes knots that increase in both coordinates, from row 0 to row 1. A base coordinate outside
-  /// them goes to the nearer end. Without knots the axis is the identity, and rows are equidistant
-  /// in the base coordinate.
+  /// them goes to the nearer end. Without knots those from 0 to 1 are taken as they are, so that
+  /// rows are equidistant.
   explicit RowAxis(std::vector<RowKnot> knots) : knots_(std::move(knots)) {}
 
   /// Row coordinate at a base coordinate.
@@ -29,7 +29,7 @@ class RowAxis {
  private:
   /// The coordinate `to` on the straight lines between the knots, where the coordinate `from` is x.
   double along(double RowKnot::*from, double RowKnot::*to, double x) const {
-    if (knots_.empty()) return x;
+    if (knots_.empty()) return std::clamp(x, 0.0, 1.0);
     const auto above =
         std::upper_bound(knots_.begin() + 1, knots_.end() - 1, x,
                          [from](double value, const RowKnot& k) { return value < k.*from; });

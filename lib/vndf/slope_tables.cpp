@@ -35,15 +35,17 @@ Broken check_table(const QuantileTable& table, const std::string& name) {
   return {};
 }
 
-Broken check_axis(const std::vector<RowKnot>& knots, const std::string& name) {
+/// `last` is the largest base coordinate.
+Broken check_axis(const std::vector<RowKnot>& knots, const std::string& name, int last) {
   if (knots.empty()) return {};
   if (knots.size() < 2 || knots.front().row != 0 || knots.back().row != 1)
     return name + " rows: the knots do not run from row 0 to row 1";
   for (std::size_t k = 0; k < knots.size(); ++k) {
     const RowKnot& at = knots[k];
-    const bool inside = at.base >= 0 && at.base <= 1 && at.row >= 0 && at.row <= 1;
+    const bool inside = at.base >= 0 && at.base <= last && at.row >= 0 && at.row <= 1;
     if (!inside || (k > 0 && !(at.base > knots[k - 1].base && at.row > knots[k - 1].row)))
-      return name + " rows, knot " + std::to_string(k) + ": not above the knot before it in [0, 1]";
+      return name + " rows, knot " + std::to_string(k) + ": not above the knot before it in [0, " +
+             std::to_string(last) + "]";
   }
   return {};
 }
@@ -115,8 +117,8 @@ std::optional<std::string> check(const SlopeTables& tables) {
     return "scale of the conditional is not of a finite number > 0 and a finite one";
   if (const Broken b = check_table(tables.marginal, "marginal")) return b;
   if (const Broken b = check_table(tables.conditional, "conditional")) return b;
-  if (const Broken b = check_axis(tables.marginal_rows, "marginal")) return b;
-  if (const Broken b = check_axis(tables.conditional_rows, "conditional")) return b;
+  if (const Broken b = check_axis(tables.marginal_rows, "marginal", 2)) return b;
+  if (const Broken b = check_axis(tables.conditional_rows, "conditional", 1)) return b;
   if (const Broken b = check_map(tables.marginal_map, "marginal")) return b;
   if (const Broken b = check_curve(tables.log_ndf, "log_ndf")) return b;
   return check_curve(tables.log_backfacing, "log_backfacing");

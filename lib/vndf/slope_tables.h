@@ -29,7 +29,8 @@ struct SlopeTables {
   /// s with map(s) = sigma(x) over (theta, u1) and 2 sigma(y / scale) - 1 over (|x|, u2); the
   /// coordinates are in table_coordinates.h.
   QuantileTable marginal = {}, conditional = {};
-  /// Knots of the row axes, from row 0 to row 1; none where rows are equidistant.
+  /// Knots of the row axes, from row 0 to row 1; none where rows are equidistant from base
+  /// coordinate 0 to 1. Those of the marginal go on below the horizon, beyond 1.
   std::vector<RowKnot> marginal_rows = {}, conditional_rows = {};
   /// Nodes of the map from the values of the marginal table to sigma(x).
   std::vector<CubicNode<double>> marginal_map = {};

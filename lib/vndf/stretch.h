@@ -31,12 +31,18 @@ HomogeneousSlope<T> homogeneous_slope(T x, T y) {
   return {x / scale, y / scale, T(1) / scale};
 }
 
+/// Whether `w` is a direction, above the horizon or below it, and `alpha` a roughness.
+template <class T>
+bool valid_anywhere(const Vec3<T>& w, const Alpha<T>& alpha) {
+  // The sum is infinite or not a number if any of its terms is.
+  const T sum = std::abs(w.x) + std::abs(w.y) + alpha.x + alpha.y;
+  return w.z == w.z && alpha.x > T(0) && alpha.y > T(0) && sum <= std::numeric_limits<T>::max();
+}
+
 /// Whether `w` is a direction on or above the horizon and `alpha` a roughness.
 template <class T>
 bool valid(const Vec3<T>& w, const Alpha<T>& alpha) {
-  // The sum is infinite or not a number if any of its terms is.
-  const T sum = std::abs(w.x) + std::abs(w.y) + alpha.x + alpha.y;
-  return w.z >= T(0) && alpha.x > T(0) && alpha.y > T(0) && sum <= std::numeric_limits<T>::max();
+  return w.z >= T(0) && valid_anywhere(w, alpha);
 }
 
 /// Azimuth and length of a horizontal vector.

@@ -11,11 +11,16 @@
 // sigma runs from 0 (x = -infinity) over 1/2 (x = 0) to 1 (x = +infinity). Near 0 it is 1/(2|x|),
 // so a float keeps full relative precision in the heavy tail, and decoding needs no transcendental.
 //
-//   marginal table     base   sqrt(2 (1 - sigma(c))): 0 at normal incidence, 1 at grazing
+//   marginal table     base   sqrt(2 (1 - sigma(c))) above the horizon, 2 - sqrt(2 sigma(c)) below
+//                             it: 0 at normal incidence, 1 at grazing, 2 straight from below, as
+//                             far as anything is visible
 //                      column t = a / (a + b), a = u1^(1/4), b = (1 - u1)^(1/4)
-//                      value  s with map(s) = sigma(x), a map made for the distribution
+//                      value  s with map(s) = sigma(x) / scale, a map made for the distribution
 //                             (monotone_map.h): its own quantile function over the same columns,
-//                             through which the quantiles of all angles are smooth
+//                             through which the quantiles of all angles are smooth. The scale is
+//                             1 above the horizon. From below only slopes x < c < 0 are visible,
+//                             far in the tail, and with scale = 2 sigma(c) each row ends at s of
+//                             slope 0 and keeps its digits.
 //   conditional table  base   sqrt(|2 sigma(x) - 1|): 0 at x = 0, 1 at |x| = infinity
 //                      column t = b / (a + b), a = s^(1/2), b = (1 - s)^(1/2), s = q^(1/2),
 //                             q = 1 - |2 u2 - 1|: the half y >= 0, the other by symmetry
@@ -82,14 +87,21 @@ BoundedSlope<T> bounded_from_slope(T slope) {
   return slope < T(0) ? BoundedSlope<T>{small, large} : BoundedSlope<T>{large, small};
 }
 
-/// The bounded form of the cotangent z / s of a direction with vertical part z >= 0 and horizontal
-/// part s >= 0, not both zero. Maximum error: 4 roundings, at any angle from pole to horizon.
+/// The bounded form of the slope -x.
+template <class T>
+BoundedSlope<T> mirrored(const BoundedSlope<T>& x) {
+  return {x.complement, x.sigma};
+}
+
+/// The bounded form of the cotangent z / s of a direction with vertical part z and horizontal part
+/// s >= 0, not both zero. Maximum error: 4 roundings of either field, at any angle.
 /// `square` is s * s, for a caller that knows it before s.
 template <class T>
 BoundedSlope<T> bounded_cotangent(T z, T s, T square) {
-  const T upper = z + std::sqrt(z * z + square);
+  const T upper = std::abs(z) + std::sqrt(z * z + square);
   const T scale = T(1) / (upper + s);
-  return {upper * scale, s * scale};
+  const BoundedSlope<T> above{upper * scale, s * scale};
+  return z < T(0) ? mirrored(above) : above;
 }
 template <class T>
 BoundedSlope<T> bounded_cotangent(T z, T s) {
@@ -99,22 +111,31 @@ BoundedSlope<T> bounded_cotangent(T z, T s) {
 /// The bounded form of the slope x / w, w >= 0, not both zero: infinite at w = 0.
 template <class T>
 BoundedSlope<T> bounded_from_fraction(T x, T w) {
-  const BoundedSlope<T> b = bounded_cotangent(std::abs(x), w);
-  return x < T(0) ? BoundedSlope<T>{b.complement, b.sigma} : b;
+  return bounded_cotangent(x, w);
 }
 
 /// Base coordinate of the marginal table for the cotangent `c` of the (stretched) incident
 /// direction.
 template <class T>
 T marginal_base(const BoundedSlope<T>& c) {
-  return std::sqrt(T(2) * c.complement);
+  const T from_pole = std::sqrt(T(2) * smaller(c.sigma, c.complement));
+  return c.sigma < c.complement ? T(2) - from_pole : from_pole;
 }
 
 /// Inverse of marginal_base.
 template <class T>
 BoundedSlope<T> marginal_base_inverse(T base) {
-  const T complement = base * base / T(2);
-  return {T(1) - complement, complement};
+  const T from_pole = base > T(1) ? T(2) - base : base;
+  const T least = from_pole * from_pole / T(2);
+  const BoundedSlope<T> above{T(1) - least, least};
+  return base > T(1) ? mirrored(above) : above;
+}
+
+/// What sigma of slopes x is divided by in the marginal table at the cotangent `c`: 1 above the
+/// horizon, less below.
+template <class T>
+T marginal_scale(const BoundedSlope<T>& c) {
+  return smaller(T(2) * c.sigma, T(1));
 }
 
 /// Base coordinate of the conditional table for the slope `x`; the same for x and -x. With

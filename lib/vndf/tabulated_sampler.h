@@ -5,8 +5,8 @@
 //
 // Inputs of every function: directions are unit vectors; alpha > 0, tested from 1e-4 to 10 at
 // ratios up to 1:1000. For an input outside its range (alpha <= 0, a component that is not a
-// number, wi below the horizon) each function returns the fallback that it states; no function
-// allocates or throws. Slopes are fractions with a common denominator, so that none overflows,
+// number) each function returns the fallback that it states; no function allocates or throws. wi may
+// also be below the horizon. Slopes are fractions with a common denominator, so that none overflows,
 // whatever the tail.
 #pragma once
 
@@ -41,15 +41,19 @@ class TabulatedSampler {
 
   const SlopeTables& tables() const { return map_.tables(); }
 
-  /// Draws a normal visible from `wi` (wi.z >= 0). slope_x increases with u1 and slope_y with u2 in
+  /// Draws a normal visible from `wi`. slope_x increases with u1 and slope_y with u2 in
   /// the frame of the stretched incident direction. Any u is accepted; outside [0, 1] it is moved
   /// to the nearer end, where the slope is infinite and the normal horizontal. At the exact pole
   /// the azimuth is taken as 0. Returns a unit normal with wm.z >= 0 and dot(wi, wm) >=
-  /// -kFacingSlack<T>; (0, 0, 1) for an input outside its range.
+  /// -kFacingSlack<T>; (0, 0, 1) for an input outside its range. From below the horizon it is also
+  /// (0, 0, 1) where nothing is visible: where slopes are bounded, from directions that see less
+  /// than 1e-13 of the surface. Straight from below infinite slopes are visible, and the normal is
+  /// horizontal.
   Vec3<T> sample(const Vec3<T>& wi, const Alpha<T>& alpha, T u1, T u2) const noexcept {
-    if (!valid(wi, alpha)) return {T(0), T(0), T(1)};
+    if (!valid_anywhere(wi, alpha)) return {T(0), T(0), T(1)};
     // 1. stretch
     const Stretched s = stretch(wi, alpha);
+    if (!map_.sees(s.c)) return {T(0), T(0), T(1)};
     // 2. sample the slope of the stretched configuration
     const HomogeneousSlope<T> slope = map_.at(s.c, columns_of(u1, u2)).slope;
     // 3. rotate, 4. unstretch, 5. compute the normal
@@ -58,7 +62,7 @@ class TabulatedSampler {
 
   /// Density of normals D(wm) per solid angle; 0 for a horizontal or back-facing normal.
   T d(const Vec3<T>& wm, const Alpha<T>& alpha) const noexcept {
-    if (!valid(wm, alpha) || !(wm.z > T(0))) return T(0);
+    if (!valid_anywhere(wm, alpha) || !(wm.z > T(0))) return T(0);
     const Alpha<T> a = normalized(alpha);
     const T hx = wm.x / a.x, hy = wm.y / a.y;
     const T horizontal = hx * hx + hy * hy;
@@ -71,24 +75,31 @@ class TabulatedSampler {
   /// Smith's Lambda(w) of the direction or its mirror below the horizon; infinite at the
   /// horizon and next to it, where it is beyond the largest number.
   T lambda(const Vec3<T>& w, const Alpha<T>& alpha) const noexcept {
-    const Vec3<T> above{w.x, w.y, std::abs(w.z)};
-    if (!valid(above, alpha)) return T(0);
-    return backfacing_area(above, alpha) / above.z;
+    if (!valid_anywhere(w, alpha)) return T(0);
+    return backfacing_area(w, alpha) / std::abs(w.z);
   }
 
   /// Smith's masking G1(w) = 1 / (1 + Lambda(w)); 0 for an input outside its range.
   T g1(const Vec3<T>& w, const Alpha<T>& alpha) const noexcept {
-    const Vec3<T> above{w.x, w.y, std::abs(w.z)};
-    if (!valid(above, alpha)) return T(0);
-    return above.z == T(0) ? T(0) : above.z / (above.z + backfacing_area(above, alpha));
+    if (!valid_anywhere(w, alpha) || w.z == T(0)) return T(0);
+    const T z = std::abs(w.z);
+    return z / (z + backfacing_area(w, alpha));
   }
 
-  /// Density of the exact distribution per solid angle, D_wi(wm) = dot(wi, wm)+ D(wm) / (wi.z (1 +
-  /// Lambda(wi))) (equation 2), finite up to the horizon; 0 for an input outside its range.
+  /// Projected area of the facets that face `w`, per area of the surface: w.z (1 + Lambda(w)) above
+  /// the horizon and |w.z| Lambda(w) below it; 0 for an input outside its range.
+  T visible_area(const Vec3<T>& w, const Alpha<T>& alpha) const noexcept {
+    if (!valid_anywhere(w, alpha)) return T(0);
+    return std::max(w.z, T(0)) + backfacing_area(w, alpha);
+  }
+
+  /// Density of the exact distribution per solid angle, D_wi(wm) = dot(wi, wm)+ D(wm) over the
+  /// visible area of wi (equation 2); 0 for an input outside its range and where nothing is
+  /// visible.
   T pdf(const Vec3<T>& wi, const Vec3<T>& wm, const Alpha<T>& alpha) const noexcept {
-    const T cosine = dot(wi, wm);
-    if (!valid(wi, alpha) || !(cosine > T(0))) return T(0);
-    return cosine * d(wm, alpha) / (wi.z + backfacing_area(wi, alpha));
+    const T cosine = dot(wi, wm), area = visible_area(wi, alpha);
+    if (!(cosine > T(0) && area > T(0))) return T(0);
+    return std::min(cosine * d(wm, alpha) / area, std::numeric_limits<T>::max());
   }
 
   /// The normal of sample() with the density that the interpolated map has there, the reciprocal of
@@ -100,8 +111,9 @@ class TabulatedSampler {
   /// finite number, and those samples get negligible weight.
   SampledNormal<T> sample_with_density(const Vec3<T>& wi, const Alpha<T>& alpha, T u1,
                                        T u2) const noexcept {
-    if (!valid(wi, alpha)) return {{T(0), T(0), T(1)}, T(0)};
+    if (!valid_anywhere(wi, alpha)) return {{T(0), T(0), T(1)}, T(0)};
     const Stretched s = stretch(wi, alpha);
+    if (!map_.sees(s.c)) return {{T(0), T(0), T(1)}, T(0)};
     const MappedSlope<T> mapped = map_.at(s.c, columns_of(u1, u2));
     const Vec3<T> normal = unstretched(visible(mapped.slope, s), s.phi, s.alpha);
     return {normalize_or_up(normal), density(mapped, std::sqrt(dot(normal, normal)), s.alpha)};
@@ -112,8 +124,9 @@ class TabulatedSampler {
   /// outside its range. Maximum error of invert(sample(u)): kInverseError<T>.
   std::optional<Vec2<T>> invert(const Vec3<T>& wi, const Vec3<T>& wm,
                                 const Alpha<T>& alpha) const noexcept {
-    if (!valid(wi, alpha) || !valid(wm, alpha)) return {};
+    if (!valid_anywhere(wi, alpha) || !valid(wm, alpha)) return {};
     const Stretched s = stretch(wi, alpha);
+    if (!map_.sees(s.c)) return {};
     const auto columns = map_.inverse(s.c, stretched(wm, s.phi, s.alpha));
     if (!columns) return {};
     return random_numbers_of(*columns);
@@ -135,7 +148,10 @@ class TabulatedSampler {
     const Alpha<T> a = normalized(alpha);
     const T x = a.x * wi.x, y = a.y * wi.y;
     const Azimuth<T> phi = azimuth(x, y);
-    return {a, phi, bounded_cotangent(wi.z, phi.length, x * x + y * y), wi.z / phi.length};
+    // Straight from below the cotangent is infinite, and what is seen is horizontal.
+    constexpr T kLeast = T(-1e18);
+    return {a, phi, bounded_cotangent(wi.z, phi.length, x * x + y * y),
+            std::max(wi.z / phi.length, kLeast)};
   }
 
   /// `slope` where it faces the direction: slope x is at most the cotangent. The map keeps to that
@@ -162,12 +178,13 @@ class TabulatedSampler {
     return {alpha.x * mean_slope_, alpha.y * mean_slope_};
   }
 
-  /// w.z Lambda(w): the projected area of the facets that face away from w.
+  /// |w.z| Lambda(w): the projected area of the facets that face away from w or, below the horizon,
+  /// of those that face it.
   T backfacing_area(const Vec3<T>& w, const Alpha<T>& alpha) const {
     const Alpha<T> a = normalized(alpha);
     const T horizontal = azimuth(a.x * w.x, a.y * w.y).length;
     if (horizontal == T(0)) return T(0);
-    return horizontal * log_backfacing_.at(std::asinh(w.z / horizontal));
+    return horizontal * log_backfacing_.at(std::asinh(std::abs(w.z) / horizontal));
   }
 
   T mean_slope_;

@@ -96,10 +96,19 @@ class VisibleSlopeMap {
         support_(bounded_from_slope(static_cast<T>(tables_->support))),
         coordinates_(*tables_),
         scale_{static_cast<T>(coordinates_.scale.constant),
-               static_cast<T>(coordinates_.scale.quadratic)} {}
+               static_cast<T>(coordinates_.scale.quadratic)},
+        lowest_(std::isinf(tables_->support) && coordinates_.reaches_below()
+                    ? T(0)
+                    : static_cast<T>(coordinates_.marginal_row_inverse(1).sigma)) {}
 
   const SlopeTables& tables() const { return *tables_; }
   const PairCoordinates& coordinates() const { return coordinates_; }
+
+  /// Whether slopes are visible from cotangent `c`. Of a bounded distribution none are from below
+  /// the last row, nor of any where no row is below the horizon.
+  bool sees(const BoundedSlope<T>& c) const noexcept {
+    return c.sigma >= c.complement || c.sigma >= lowest_;
+  }
 
   /// 2.a: the quantile of slope_x at u1, seen from cotangent `c`; it is at most `c`.
   BoundedSlope<T> marginal(const BoundedSlope<T>& c, const Probability<T>& u1) const noexcept {
@@ -137,7 +146,8 @@ class VisibleSlopeMap {
     const T v =
         slope.y == T(0) ? T(0) : conditional_value(bounded_from_fraction(std::abs(slope.y), scale));
     const TableColumns<T> columns{
-        tables_->marginal.inverse(marginal_row(c), coordinates_.marginal_map.inverse(x.sigma)),
+        tables_->marginal.inverse(marginal_row(c),
+                                  coordinates_.marginal_map.inverse(x.sigma / widened_scale(c))),
         tables_->conditional.inverse(conditional_row(x), v), slope.y < T(0) ? T(-1) : T(1)};
     if (!reaches(c, columns, x, v)) return {};
     return columns;
@@ -153,6 +163,7 @@ class VisibleSlopeMap {
     T v, du2, dv;
   };
 
+  static double widened_scale(const BoundedSlope<T>& c) { return marginal_scale(widened(c)); }
   double marginal_row(const BoundedSlope<T>& c) const {
     return coordinates_.marginal_row(widened(c));
   }
@@ -166,10 +177,11 @@ class VisibleSlopeMap {
     const BoundedSlope<T> edge = clamp_below(support_, c);
     const auto s = tables_->marginal.lookup_with_derivative(marginal_row(c), column);
     const auto sigma = coordinates_.marginal_map.at_with_derivative(s.value);
-    const BoundedSlope<T> x = bounded_from_sigma(static_cast<T>(sigma.value));
+    const double scale = widened_scale(c);
+    const BoundedSlope<T> x = bounded_from_sigma(static_cast<T>(scale * sigma.value));
     const bool inside = x.sigma < edge.sigma && x.complement > edge.complement;
     return {clamp_below(edge, x), static_cast<T>(marginal_column_rate(column)),
-            inside ? static_cast<T>(s.derivative * sigma.derivative) : T(0)};
+            inside ? static_cast<T>(scale * s.derivative * sigma.derivative) : T(0)};
   }
 
   /// At u2 = 1/2 both differentials may vanish as t does; those of the next number stand for them,
@@ -214,6 +226,7 @@ class VisibleSlopeMap {
   BoundedSlope<T> support_;
   PairCoordinates coordinates_;
   ConditionalScale<T> scale_;
+  T lowest_;  // sigma of the lowest cotangent from which slopes are visible
 };
 
 }  // namespace vndf

@@ -85,7 +85,7 @@ std::size_t differences(const BatchArrays& batch, const Kernel& kernel) {
 BatchArrays hard_batch(std::size_t n) {
   RandomInputs random(11);
   BatchArrays batch;
-  for (std::size_t i = 0; i < n; ++i) batch.add(random.hard());
+  for (std::size_t i = 0; i < n; ++i) batch.add(random.hard_anywhere());
   return batch;
 }
 

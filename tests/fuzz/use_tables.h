@@ -14,7 +14,7 @@ namespace vndf::fuzz {
 template <class Sampler>
 void use_sampler(const Sampler& sampler) {
   const Alpha<float> alpha{0.5f, 0.2f};
-  for (const float z : {0.0f, 1e-3f, 0.5f, 1.0f})
+  for (const float z : {-1.0f, -0.5f, -1e-3f, 0.0f, 1e-3f, 0.5f, 1.0f})
     for (const float u : {0.0f, 1e-6f, 0.3f, 0.5f, 0.7f, 1.0f}) {
       const Vec3<float> wi{std::sqrt(1 - z * z), 0, z};
       const Vec3<float> wm = sampler.sample(wi, alpha, u, 1 - u);

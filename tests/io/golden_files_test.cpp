@@ -18,10 +18,10 @@ io::TableFile golden(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("files of version 3.0 are read, and err by what their certificates say") {
+TEST_CASE("files of version 4.0 are read, and err by what their certificates say") {
   const auto ggx = distributions::parse_distribution("ggx");
   const precompute::UnitSlopes slopes(*ggx, {});
-  for (const std::string name : {"ggx-3.0.h5", "ggx-3.0.exr"}) {
+  for (const std::string name : {"ggx-4.0.h5", "ggx-4.0.exr"}) {
     CAPTURE(name);
     const io::TableFile file = golden(name);
     CHECK(file.tables->distribution == "ggx");
@@ -40,5 +40,5 @@ TEST_CASE("the golden files of both containers hold the same tables") {
   const auto checksum = [](const io::TableFile& file) {
     return io::content_checksum(*file.tables, file.provenance.specification);
   };
-  CHECK(checksum(golden("ggx-3.0.h5")) == checksum(golden("ggx-3.0.exr")));
+  CHECK(checksum(golden("ggx-4.0.h5")) == checksum(golden("ggx-4.0.exr")));
 }

@@ -28,7 +28,7 @@ inline LogCurve<double> small_curve() {
 }
 
 inline io::TableFile small_table_file() {
-  const std::vector<RowKnot> knots{{0, 0}, {0.5, 0.25}, {1, 1}};
+  const std::vector<RowKnot> knots{{0, 0}, {0.5, 0.25}, {1, 0.5}, {1.5, 1}};
   return {share({.distribution = "test",
                  .mean_slope = 1.5,
                  .marginal = {kSmallRows, kSmallColumns, small_rows()},

@@ -315,7 +315,7 @@ TEST_CASE("any array missing, of another type or of another shape is refused") {
 TEST_CASE("an array over the limits of the format is refused unread") {
   constexpr std::size_t kTall = kMaxTableSide + 1, kLong = kMaxCurveNodes + 1;
   check_refused(replace("marginal", {{kTall, 3}, std::vector<float>(kTall * 3)}),
-                {"'marginal' has the shape 8193 x 3", "at most 8192 x 8192"});
+                {"'marginal' has the shape 16385 x 3", "at most 16384 x 16384"});
   check_refused(replace("log_ndf", {{kLong, 2}, std::vector<double>(kLong * 2)}),
                 {"'log_ndf' has the shape 1048577 x 2"}, kOnlyHdf5);
 }

@@ -133,7 +133,7 @@ TEST_CASE("the list of figures names each one once") {
   Certificate c;
   std::vector<std::string> names;
   for_each_figure(c, [&](const std::string& name, double) { names.push_back(name); });
-  CHECK(names.size() == 25);
+  CHECK(names.size() == 36);
   std::sort(names.begin(), names.end());
   CHECK(std::adjacent_find(names.begin(), names.end()) == names.end());
 }

@@ -41,6 +41,7 @@ TEST_CASE("the errors of a kernel are those of its pair and the tolerance") {
     const Certificate c = measured(distribution, baked_tables(distribution).kernel());
     CAPTURE(distribution);
     CHECK(c.marginal.max_u_error <= pair.marginal.max_u_error + kWithin);
+    CHECK(c.below.max_u_error <= pair.below.max_u_error + kWithin);
     CHECK(c.conditional.max_u_error <= pair.conditional.max_u_error + kWithin);
     CHECK(c.marginal.mean_u_error < c.marginal.max_u_error);
     CHECK(c.max_d_error <= pair.max_d_error + kWithin);
@@ -62,6 +63,7 @@ TEST_CASE("slopes that are a thousandth too long are found out, in both tables")
   const Certificate c = measured("ggx", longer.kernel());
   const Certificate right = measured("ggx", baked_tables("ggx").kernel());
   CHECK(c.marginal.max_u_error > right.marginal.max_u_error + 1e-4);
+  CHECK(c.below.max_u_error > right.below.max_u_error + 1e-4);
   CHECK(c.max_d_error > 1e-3);
 }
 

@@ -139,5 +139,7 @@ TEST_CASE("an input out of its range gives every reference sampler the stated re
   for_each_sampler<float>([](const char* name, const auto& sampler) {
     CAPTURE(name);
     check_stated_results(sampler);
+    CHECK(same(sampler.sample({0, 0.6f, -0.8f}, {1, 1}, 0.3f, 0.4f), {0, 0, 1}));
+    CHECK(sampler.pdf({0, 0.6f, -0.8f}, {0, 0, 1}, {1, 1}) == 0);
   });
 }

@@ -29,6 +29,12 @@ class RandomInputs {
   SamplerInput hard() {
     return {hard_direction(), {hard_alpha(), hard_alpha()}, hard_u(), hard_u()};
   }
+  /// The same, and of each two directions one below the horizon.
+  SamplerInput hard_anywhere() {
+    SamplerInput in = hard();
+    if (uniform() < 0.5) in.wi.z = -in.wi.z;
+    return in;
+  }
 
  private:
   double hard_alpha() { return std::pow(10, -4 + 5 * uniform()); }

@@ -21,8 +21,7 @@ void check_stated_results(const Sampler& s) {
     CHECK(s.lambda(wi, alpha) == 0);
     CHECK(s.g1(wi, alpha) == 0);
   }
-  for (const Vec3<float> bad :
-       {Vec3<float>{0, 0.6f, -0.8f}, {nan, 0, 1}, {0, nan, 1}, {0, 0, nan}}) {
+  for (const Vec3<float> bad : {Vec3<float>{nan, 0, 1}, {0, nan, 1}, {0, 0, nan}}) {
     CHECK(same(s.sample(bad, {1, 1}, 0.3f, 0.4f), up));
     CHECK(s.pdf(bad, up, {1, 1}) == 0);
   }

@@ -102,9 +102,14 @@ std::vector<std::size_t> followed_words(const KernelTables& tables) {
   const auto add_guide = [&](std::size_t guide, std::size_t count) {
     for (const std::size_t k : {std::size_t{0}, count / 2, count - 1}) add(guide + 8 * k, 8);
   };
-  for (const KernelAxis& axis : {h.direction, h.marginal, h.conditional})
+  for (const KernelAxis& axis :
+       {h.direction, h.marginal, h.conditional, h.below_direction, h.below_marginal})
     add_guide(axis.guide, axis.count);
-  if (h.separable == 0) add_guide(h.slope.guide, std::size_t{2} * h.slope.count);
+  if (h.separable == 0) {
+    add_guide(h.slope.guide, std::size_t{2} * h.slope.count);
+    add_guide(h.below_conditional.guide, h.below_conditional.count);
+    add_guide(h.below_slope.guide, h.below_slope.count);
+  }
   for (const kernel::VndfCurve& curve : {h.ndf, h.backfacing})
     for (const std::uint32_t k : {0u, curve.count - 1}) {
       const std::size_t at = curve.segments + k * sizeof(KernelSegment);
@@ -202,10 +207,10 @@ class Judge {
     return std::exp(std::uniform_real_distribution<float>(-9.2f, 2.3f)(random));
   }
   static Vec3<float> direction(Random& random) {
-    constexpr double kHard[] = {0, 1e-30, 1e-6, 89.9999, 90};
+    constexpr double kHard[] = {0, 1e-30, 1e-6, 89.9999, 90, 90.0001, 179.999, 180};
     const std::size_t k = below(2 * std::size(kHard), random);
     const double theta =
-        k < std::size(kHard) ? kHard[k] : std::uniform_real_distribution<double>(0, 90)(random);
+        k < std::size(kHard) ? kHard[k] : std::uniform_real_distribution<double>(0, 180)(random);
     return direction_at<float>(theta, std::uniform_real_distribution<double>(0, 360)(random));
   }
 
@@ -297,6 +302,9 @@ constexpr const char* kSlope = "the middle of the slopes is not in (0, 1)";
 constexpr const char* kLength = "the axis of slopes has no length";
 constexpr const char* kSegments = "a curve has no segments";
 constexpr const char* kSegment = "a segment of a curve has no length";
+constexpr const char* kBelow = "the axis of directions below the horizon has no length";
+constexpr const char* kShifts = "the columns of the tables differ in shift";
+constexpr const char* kSteep = "the axis of rows of y has no length";
 constexpr const char* kEntry = "an entry of a guide is no place or not aligned";
 
 // Blocks by their place in honest().
@@ -307,6 +315,8 @@ const Breach kBreaches[] = {
     {kPlain, "a header of another size", [](Block&, auto& h) { h.header_bytes += 16; }},
     {kPlain, "more bytes for sampling than there are",
      [](Block&, auto& h) { h.sampling_bytes = h.bytes + 1; }},
+    {kPlain, "more bytes for sampling than there are",
+     [](Block&, auto& h) { h.below_bytes = h.bytes; }},
     {kPlain, kEnd,
      [](Block& block, auto& h) {
        h.samples = h.text = sizeof(KernelHeader) - 8;
@@ -380,6 +390,27 @@ const Breach kBreaches[] = {
      [](Block& block, auto& h) { set_word(block, h.slope.guide + 4, beyond(block)); }},
     {kRows, kOutside,
      [](Block& block, auto& h) { set_word(block, h.slope.guide + 12, beyond(block)); }},
+    {kPlain, "directions below the horizon have no patches",
+     [](Block&, auto& h) { h.below_bytes = 0; }},
+    {kPlain, kBelow, [](Block&, auto& h) { h.below_most_cotangent = 0; }},
+    {kPlain, kBelow, [](Block&, auto& h) { h.below_least_place = 0; }},
+    {kPlain, kBelow, [](Block&, auto& h) { h.below_least_place = 1 + h.direction_offset; }},
+    {kPlain, kCover, [](Block&, auto& h) { h.below_direction.count -= 1; }},
+    {kPlain, kShifts, [](Block&, auto& h) { h.below_marginal.shift += 1; }},
+    {kPlain, kCover, [](Block&, auto& h) { h.below_marginal.count -= 1; }},
+    {kPlain, kOutside,
+     [](Block& block, auto& h) { set_word(block, h.below_marginal.guide + 4, beyond(block)); }},
+    {kPlain, kOutside,
+     [](Block& block, auto& h) { set_word(block, h.below_direction.guide + 4, beyond(block)); }},
+    {kRows, kShifts, [](Block&, auto& h) { h.below_conditional.shift += 1; }},
+    {kRows, kCover, [](Block&, auto& h) { h.below_conditional.count -= 1; }},
+    {kRows, kSteep, [](Block&, auto& h) { h.below_slope_most = h.slope_offset / 2; }},
+    {kRows, kSteep, [](Block&, auto& h) { h.below_slope_most = 1; }},
+    {kRows, kCover, [](Block&, auto& h) { h.below_slope.count -= 1; }},
+    {kRows, kOutside,
+     [](Block& block, auto& h) { set_word(block, h.below_conditional.guide + 4, beyond(block)); }},
+    {kRows, kOutside,
+     [](Block& block, auto& h) { set_word(block, h.below_slope.guide + 4, beyond(block)); }},
     {kRim, kSegments, [](Block&, auto& h) { h.backfacing.count = 0; }},
     {kRim, kSegments, [](Block&, auto& h) { h.backfacing.count = 4097; }},
     {kRim, kSegments, [](Block&, auto& h) { h.backfacing.segments += 8; }},
@@ -391,9 +422,9 @@ const Breach kBreaches[] = {
     {kRim, kSegment,
      [](Block& block, auto&) { change_segment(block, 0, [](auto& s) { s.end = s.begin; }); }},
     {kRim, kSegment,
-     [](Block& block, auto& h) {
-       change_segment(block, h.backfacing.count - 1, [](auto& s) { s.end = kInfinity; });
-     }},
+     [](Block& block,
+        auto&
+            h) { change_segment(block, h.backfacing.count - 1, [](auto& s) { s.end = kInfinity; }); }},
     {kRim, kSegment,
      [](Block& block, auto&) { change_segment(block, 0, [](auto& s) { s.offset = 0; }); }},
     {kRim, kSegment,

@@ -38,7 +38,7 @@ Input narrow(const SamplerInput& in) {
 std::vector<Input> hard_inputs(std::size_t count) {
   RandomInputs random(3);
   std::vector<Input> list;
-  for (std::size_t k = 0; k < count; ++k) list.push_back(narrow(random.hard()));
+  for (std::size_t k = 0; k < count; ++k) list.push_back(narrow(random.hard_anywhere()));
   return list;
 }
 
@@ -96,7 +96,6 @@ TEST_CASE("an input outside its range gives the fallback") {
     CHECK(kernel.pdf(w, up, alpha) == 0);
     CHECK_FALSE(kernel.invert(w, up, alpha));
   };
-  falls_back({0.6f, 0, -0.8f}, {1, 1});
   falls_back({0.6f, kNan, 0.8f}, {1, 1});
   falls_back({kInfinity, 0, 0.8f}, {1, 1});
   falls_back({0.6f, 0, kNan}, {1, 1});

@@ -81,9 +81,21 @@ TEST_CASE("base coordinates and their inverses undo each other") {
   }
 }
 
+TEST_CASE("the base coordinate of a direction below the horizon mirrors that of the one above") {
+  for (const double x : {1e-12, 1e-3, 0.4, 3.0, 1e5}) {
+    const auto below = bounded_cotangent(-x, 1.0), above = bounded_cotangent(x, 1.0);
+    CHECK(marginal_base(below) == Approx(2 - marginal_base(above)).epsilon(1e-15));
+    const auto back = marginal_base_inverse(marginal_base(below));
+    CHECK(back.slope() == Approx(-x).epsilon(1e-9).margin(1e-15));
+    CHECK(marginal_scale(below) == Approx(2 * below.sigma));
+    CHECK(marginal_scale(above) == 1);
+  }
+}
+
 TEST_CASE("base coordinates run from normal incidence to grazing, and from slope 0 to infinity") {
   CHECK(marginal_base(bounded_cotangent(1.0, 0.0)) == 0);
   CHECK(marginal_base(bounded_cotangent(0.0, 1.0)) == 1);
+  CHECK(marginal_base(bounded_cotangent(-1.0, 0.0)) == 2);
   CHECK(conditional_base(bounded_from_slope(0.0)) == 0);
   CHECK(conditional_base(bounded_from_slope(std::numeric_limits<double>::infinity())) == 1);
 }

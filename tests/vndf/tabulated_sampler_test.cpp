@@ -245,7 +245,7 @@ void check_hard_inputs(int count, std::uint64_t seed) {
   RandomInputs inputs(seed);
   float lowest = 0;
   for (int k = 0; k < count; ++k) {
-    const SamplerInput in = inputs.hard();
+    const SamplerInput in = inputs.hard_anywhere();
     const auto f = [](double v) { return static_cast<float>(v); };
     const Vec3<float> wi{f(in.wi.x), f(in.wi.y), f(in.wi.z)};
     const Alpha<float> alpha{f(in.alpha.x), f(in.alpha.y)};

@@ -38,23 +38,23 @@ void add_bake_options(CLI::App& command, BakeArguments& arguments) {
           fmt::format("Of baked tables (.vndf): most bytes that sampling reads (default {})",
                       defaults.max_bytes))
       ->check(whole_number(1));
+  command.add_flag(
+      "--above-only", arguments.above_only,
+      "Of baked tables (.vndf): leave out what only directions below the horizon need");
 }
 
 BakeOptions options_of(const BakeArguments& arguments) {
   BakeOptions options;
   options.tolerance = arguments.tolerance.value_or(options.tolerance);
   options.max_bytes = arguments.max_bytes.value_or(options.max_bytes);
+  options.below_horizon = !arguments.above_only;
   return options;
 }
 
 void require_baked_output(const BakeArguments& arguments, const std::string& output) {
-  if (names_baked_tables(output)) return;
-  const auto refuse = [&](const char* option) {
-    throw CLI::ValidationError(
-        option, "is for baked tables, and " + output + " is a pair: give a .vndf file to write");
-  };
-  if (arguments.tolerance) refuse("--tolerance");
-  if (arguments.max_bytes) refuse("--max-bytes");
+  if (names_baked_tables(output) || !arguments.given()) return;
+  throw CLI::ValidationError(arguments.given(), "is for baked tables, and " + output +
+                                                    " is a pair: give a .vndf file to write");
 }
 
 }  // namespace vndf::tools

@@ -13,9 +13,18 @@ namespace vndf::tools {
 struct BakeArguments {
   std::optional<double> tolerance;
   std::optional<std::uint64_t> max_bytes;
+  bool above_only = false;
+
+  /// The first of the options that was given, or nothing.
+  const char* given() const {
+    return tolerance    ? "--tolerance"
+           : max_bytes  ? "--max-bytes"
+           : above_only ? "--above-only"
+                        : nullptr;
+  }
 };
 
-/// Adds --tolerance and --max-bytes.
+/// Adds --tolerance, --max-bytes and --above-only.
 void add_bake_options(CLI::App& command, BakeArguments& arguments);
 
 /// What is asked for, with the defaults of BakeOptions.

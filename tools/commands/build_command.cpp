@@ -65,11 +65,12 @@ void warn_of_errors(const Certificate& certificate) {
   const auto warn = [](const TableErrors& e, const char* table, const char* row) {
     if (e.max_u_error <= kLarge) return;
     print_warning(fmt::format(
-        "the {} table errs by up to {:.2e} in u (at {} {:.4g}, u {:.6g}); a larger --size may help",
+        "the {} errs by up to {:.2e} in u (at {} {:.4g}, u {:.6g}); a larger --size may help",
         table, e.max_u_error, row, e.worst_row, e.worst_u));
   };
-  warn(certificate.marginal, "marginal", "theta");
-  warn(certificate.conditional, "conditional", "slope");
+  warn(certificate.marginal, "marginal table", "theta");
+  warn(certificate.below, "marginal table below the horizon", "theta");
+  warn(certificate.conditional, "conditional table", "slope");
 }
 
 /// Returns what is written: the pair, or the tables baked from it.

@@ -44,9 +44,9 @@ KernelTables baked_tables(const Arguments& a, const std::string& command_line) {
   if (!baked)
     return bake_pair(a.input, std::get<io::TableFile>(any), a.baking,
                      {command_line, a.threads, !a.quiet});
-  if (a.baking.tolerance || a.baking.max_bytes)
+  if (a.baking.given())
     throw CLI::ValidationError(
-        a.baking.tolerance ? "--tolerance" : "--max-bytes",
+        a.baking.given(),
         "is for a pair, and " + a.input + " is baked already: give the .h5 or .exr file");
   return *baked;
 }

@@ -25,7 +25,7 @@ std::string ratios(const TailRatios& r) {
 
 void describe(std::string& text, const TableErrors& e, std::string_view name,
               std::string_view row) {
-  text += fmt::format("{} table\n", name);
+  text += fmt::format("{}\n", name);
   line(text, "u-error, max",
        fmt::format("{:.2e}   at {} {:.4g}, u {:.6g}", e.max_u_error, row, e.worst_row, e.worst_u));
   line(text, "u-error, mean", fmt::format("{:.2e}", e.mean_u_error));
@@ -64,8 +64,10 @@ nlohmann::ordered_json to_json(const std::string& distribution, const Provenance
 }
 
 void describe(std::string& text, const Certificate& c) {
-  describe(text, c.marginal, "marginal", "theta (degrees)");
-  describe(text, c.conditional, "conditional", "slope x");
+  describe(text, c.marginal, "marginal table", "theta (degrees)");
+  if (c.below.max_u_error > 0)
+    describe(text, c.below, "marginal table, below the horizon", "theta (degrees)");
+  describe(text, c.conditional, "conditional table", "slope x");
   text += "functions, relative error, max\n";
   line(text, "D", fmt::format("{:.2e}", c.max_d_error));
   line(text, "Lambda (of 1 + Lambda)", fmt::format("{:.2e}", c.max_lambda_error));
@@ -118,6 +120,7 @@ std::string describe(const KernelTables& tables) {
   line(text, "slope y", conditional_of(h));
   line(text, "unit of slopes", fmt::format("{:.7g}", h.unit));
   line(text, "sampling reads", kibibytes(tables.sampling_bytes()));
+  line(text, "and below the horizon", h.below_bytes != 0 ? kibibytes(h.below_bytes) : "nothing");
   text +=
       h.certified != 0
           ? "\nCertificate: errors in single precision, measured against the exact distribution\n"
@@ -148,6 +151,7 @@ nlohmann::ordered_json to_json(const KernelTables& tables) {
   json["separable"] = h.separable != 0;
   json["unit"] = h.unit;
   json["sampling_bytes"] = tables.sampling_bytes();
+  json["below_bytes"] = h.below_bytes;
   json["bytes"] = tables.bytes().size();
   json["certified"] = h.certified != 0;
   json["certificate"] = to_json(tables.certificate());

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -75,16 +76,22 @@ void put_column(KernelBlock& block, const Surface& surface, const Columns& colum
   }
 }
 
-void put_marginal(KernelBlock& block, KernelHeader& h, const Plan& plan) {
+/// Puts the patches of slope x over the rows `directions` and the columns of both halves of u1, and
+/// returns the axis of the columns.
+KernelAxis put_slopes_x(KernelBlock& block, const Plan& plan, const Axis& directions,
+                        const Axis& lower, const Axis& upper, bool below) {
   block.align(kKernelAlignment);
   const std::uint32_t first = block.at();
-  for (const bool upper : {false, true})
-    for (const AxisCell& column : (upper ? plan.upper : plan.lower).cells)
-      put_column(block, marginal_surface(plan.pair, upper), plan.columns, column, plan.directions,
-                 plan.direction_offset, upper ? plan.columns.octaves : 0, 0);
-  const auto row = static_cast<std::uint32_t>(64 * plan.directions.cells.size());
-  h.marginal =
-      block.put_guide({{both_halves(plan.lower, plan.upper, plan.columns.octaves), first, row}});
+  for (const bool above_half : {false, true})
+    for (const AxisCell& column : (above_half ? upper : lower).cells)
+      put_column(block, marginal_surface(plan.pair, above_half, below), plan.columns, column,
+                 directions, plan.direction_offset, above_half ? plan.columns.octaves : 0, 0);
+  const auto row = static_cast<std::uint32_t>(64 * directions.cells.size());
+  return block.put_guide({{both_halves(lower, upper, plan.columns.octaves), first, row}});
+}
+
+void put_marginal(KernelBlock& block, KernelHeader& h, const Plan& plan) {
+  h.marginal = put_slopes_x(block, plan, plan.directions, plan.lower, plan.upper, false);
   h.direction = block.put_guide({{plan.directions, 0, 64}});
 }
 
@@ -143,6 +150,29 @@ void put_conditional(KernelBlock& block, KernelHeader& h, const Plan& plan) {
   put_slopes(block, h, plan);
 }
 
+/// Puts what directions below the horizon have of their own.
+void put_below(KernelBlock& block, KernelHeader& h, const Plan& plan) {
+  const PlanBelow& below = plan.below;
+  h.below_marginal = put_slopes_x(block, plan, below.directions, below.lower, below.upper, true);
+  h.below_direction = block.put_guide({{below.directions, 0, 64}});
+  h.below_most_cotangent = static_cast<float>(
+      std::min(plan.pair.most_cotangent(), double{std::numeric_limits<float>::max()}));
+  h.below_least_place = static_cast<float>(below.directions.cells.front().begin);
+  if (plan.pair.separable()) return;
+  block.align(kKernelAlignment);
+  const std::uint32_t first = block.at();
+  const int octaves = plan.columns.octaves;
+  for (const bool mirrored : {false, true})
+    for (const AxisCell& column : (mirrored ? below.mirrored : below.conditional).cells)
+      put_column(block, steep_surface(plan.pair), plan.columns.halved(mirrored), column, below.rows,
+                 plan.slope_offset, mirrored ? octaves : 0, 0);
+  const auto row = static_cast<std::uint32_t>(64 * below.rows.cells.size());
+  h.below_conditional =
+      block.put_guide({{both_halves(below.conditional, below.mirrored, octaves), first, row}});
+  h.below_slope = block.put_guide({{below.rows, 0, 64}});
+  h.below_slope_most = static_cast<float>(below.rows.cells.back().end);
+}
+
 KernelHeader header_of(const Plan& plan) {
   // Slopes from -5e31 to 4e6 times U: the normal of the first is not horizontal yet, and nearer to
   // 1 single precision has no root.
@@ -176,6 +206,8 @@ KernelTables tables_of(const Plan& plan, double tolerance) {
   put_marginal(block, h, plan);
   put_conditional(block, h, plan);
   h.sampling_bytes = block.at() - sizeof h;
+  if (!plan.below.directions.cells.empty()) put_below(block, h, plan);
+  h.below_bytes = block.at() - sizeof h - h.sampling_bytes;
   const auto ndf = [&](double x) { return plan.pair.log2_ndf(x); };
   const auto backfacing = [&](double c) { return plan.pair.log2_backfacing(c); };
   const double unit = plan.pair.unit();
@@ -204,23 +236,36 @@ float golden_u(std::size_t k) {
   return static_cast<float>(k % 2 == 0 ? q : 1 - q);
 }
 
-Differences differences(const KernelTables& tables, const PairSlopes& slopes) {
+/// Whether `value`, the root of sigma over that of g, is what the pair has for a direction below
+/// the horizon but for rounding, which is twice that of a cubic because it is a product.
+bool equal_but_for_rounding(const PairSlopes& slopes, double row, double q, bool upper,
+                            double value) {
+  const double exact = slopes.marginal_below(row, q, upper).value;
+  return std::abs(value - exact) <= 2 * kRounding * exact;
+}
+
+/// Those for directions above the horizon, or for those below it that have rows of their own.
+Differences differences(const KernelTables& tables, const PairSlopes& slopes, bool below) {
   constexpr std::size_t kDirections = 128, kDraws = 160;
   const Kernel kernel = tables.kernel();
   const kernel::VndfTables& t = kernel.tables();
   Differences worst;
   for (std::size_t i = 0; i < kDirections; ++i) {
     const double place = support::golden(i + 1, 0), wanted = i % 4 == 0 ? place * place : place;
-    const Vec3<float> wi{static_cast<float>(wanted), 0, static_cast<float>(1 - wanted)};
+    const auto z = static_cast<float>(1 - wanted);
+    const Vec3<float> wi{static_cast<float>(wanted), 0, below ? -z : z};
     const kernel::VndfDirection at = kernel::vndf_at(t, wi, 1 / t.unit, 1);
-    const double row = slopes.direction_row(double{wi.x} / (double{wi.x} + double{wi.z}));
+    const double g = double{wi.x} / (double{wi.x} + double{z});
+    if (below && g < slopes.lowest_g()) continue;
+    const double row = slopes.direction_row(g, below);
     for (std::size_t k = 0; k < kDraws; ++k) {
       const float u1 = golden_u(k + i), u2 = golden_u(7 * k + 3 * i);
       const kernel::VndfDraw draw = kernel::vndf_draw(t, at, u1, u2);
       const bool upper = u1 > 0.5f;
       const double q = upper ? 1 - double{u1} : double{u1};
       const double found = slopes.marginal_inverse(row, draw.root, upper);
-      worst.x = std::max(worst.x, std::abs(found - q));
+      if (!below || !equal_but_for_rounding(slopes, row, q, upper, draw.root / std::sqrt(g)))
+        worst.x = std::max(worst.x, std::abs(found - q));
       const double q2 = std::min(double{u2}, 1 - double{u2});
       const double sigma = double{draw.root} * draw.root;
       const Node y = slopes.conditional(std::abs(sigma - 0.5) / (sigma * (1 - sigma)), q2);
@@ -244,6 +289,24 @@ std::string number(double value) {
   return text.str();
 }
 
+/// The tables of a plan with what directions below the horizon need, given the differences of those
+/// without it.
+KernelTables with_below(Plan plan, const Differences& above, const BakeOptions& options) {
+  std::string reached;
+  for (const double share : kShares) {
+    plan_below(plan, criterion_below(share * options.tolerance));
+    const KernelTables tables = tables_of(plan, options.tolerance);
+    const Differences found = differences(tables, plan.pair, true);
+    if (found.larger() <= options.tolerance)
+      return tables.with_differences(std::max(above.x, found.x), std::max(above.y, found.y));
+    reached += (reached.empty() ? "" : "; ") + number(found.larger()) + " was reached with " +
+               number(static_cast<double>(tables.header().below_bytes)) + " bytes";
+  }
+  throw BakeError("no kernel of " + plan.pair.tables().distribution + " keeps " +
+                  number(options.tolerance) + " below the horizon: " + reached +
+                  "; give a larger tolerance, or leave directions below the horizon out");
+}
+
 }  // namespace
 
 KernelTables bake(const SlopeTables& pair, const BakeOptions& options) {
@@ -260,8 +323,11 @@ KernelTables bake(const SlopeTables& pair, const BakeOptions& options) {
         break;
       }
       const KernelTables tables = tables_of(plan, options.tolerance);
-      const Differences found = differences(tables, plan.pair);
-      if (found.larger() <= options.tolerance) return tables.with_differences(found.x, found.y);
+      const Differences found = differences(tables, plan.pair, false);
+      if (found.larger() <= options.tolerance)
+        return options.below_horizon && plan.pair.reaches_below()
+                   ? with_below(plan, found, options)
+                   : tables.with_differences(found.x, found.y);
       reached += (reached.empty() ? "" : "; ") + number(found.larger()) + " was reached with " +
                  number(static_cast<double>(plan.bytes())) + " bytes";
     }

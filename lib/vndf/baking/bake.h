@@ -18,9 +18,12 @@ struct BakeOptions {
   /// Largest difference from the pair, in u, of either slope, from kLeastTolerance to
   /// kMostTolerance.
   double tolerance = 1e-5;
-  /// Most bytes of guides and patches, which are what sampling reads. The faster layout, columns by
-  /// q = min(u, 1 - u), is taken if it fits; else the smaller one, columns by the root of q.
+  /// Most bytes of guides and patches for directions above the horizon. The faster layout, columns
+  /// by q = min(u, 1 - u), is taken if it fits; else the smaller one, columns by the root of q.
   std::size_t max_bytes = 262144;
+  /// Whether directions below the horizon can be sampled, which takes from 0.1 to 1.4 times as many
+  /// bytes more. Sampling from above does not read them.
+  bool below_horizon = true;
 };
 
 /// Thrown where no layout keeps the tolerance within the bytes. The message says what was reached,

@@ -18,6 +18,9 @@ constexpr double kLeastColumn = 1e-3;
 constexpr double kLeastSigma = 1e-300, kLeastComplement = 0x1p-50;
 // Slopes that are rarer than this are not looked at: a picture of 1e9 samples shows none of them.
 constexpr double kRare = 1e-9;
+// At the rim of bounded slopes the scale of y is 0 and no conditional is left; rounding may carry
+// an x beyond. The row here stands for it.
+constexpr double kInsideRim = 1 - 1e-9;
 
 /// sigma of x / `unit`, given sigma of x, with its derivative by the same argument.
 Node in_unit(const Node& sigma, double unit) {
@@ -65,19 +68,50 @@ PairSlopes::PairSlopes(const SlopeTables& pair, double unit)
     scale_.root = 1;
 }
 
-double PairSlopes::direction_row(double g) const {
-  return coordinates_.marginal_row(bounded_cotangent(unit_ * (1 - g), g));
+double PairSlopes::direction_row(double g, bool below) const {
+  const double z = unit_ * (1 - g);
+  // The horizon itself is above.
+  return coordinates_.marginal_row(bounded_cotangent(below ? -z : z, g));
 }
 
-Node PairSlopes::marginal(double row, double q, bool upper) const {
+double PairSlopes::g_of(const BoundedSlope<double>& c) const {
+  const double horizontal = unit_ * c.denominator();
+  return horizontal / (horizontal + std::abs(c.numerator()));
+}
+
+double PairSlopes::lowest_g() const {
+  return g_of(coordinates_.marginal_row_inverse(1));
+}
+
+double PairSlopes::most_cotangent() const {
+  if (std::isinf(pair_.support)) return std::numeric_limits<double>::infinity();
+  return (1 - lowest_g()) / lowest_g();
+}
+
+Node PairSlopes::stored(double row, double q, bool upper) const {
   const double t =
       marginal_column(upper ? Probability<double>{1 - q, q} : Probability<double>{q, 1 - q});
   const auto s = pair_.marginal.lookup_with_derivative(row, t);
   const double du = marginal_column_rate(t);
-  const Node node{s.value, s.derivative / (upper ? -du : du)};
+  return {s.value, s.derivative / (upper ? -du : du)};
+}
+
+Node PairSlopes::marginal(double row, double q, bool upper) const {
+  const Node node = stored(row, q, upper);
   if (!separable_) return node;
-  const Node root = map(s.value);
+  const Node root = map(node.value);
   return {root.value, root.derivative * node.derivative};
+}
+
+Node PairSlopes::marginal_below(double row, double q, bool upper) const {
+  const BoundedSlope<double> c = coordinates_.marginal_row_inverse(row);
+  const double scale = marginal_scale(c);
+  const double edge = std::sqrt(g_of(c));
+  const Node s = stored(row, q, upper);
+  const Node sigma = coordinates_.marginal_map.at_with_derivative(s.value);
+  const Node root =
+      root_of(in_unit({scale * sigma.value, scale * sigma.derivative * s.derivative}, unit_));
+  return {root.value / edge, root.derivative / edge};
 }
 
 Node PairSlopes::map(double s) const {
@@ -88,7 +122,8 @@ double PairSlopes::marginal_inverse(double row, double root, bool upper) const {
   const double square = root * root;
   const double n = square - 0.5, d = square * (1 - square);
   const double sigma = bounded_from_fraction(unit_ * n, d).sigma;
-  const double s = coordinates_.marginal_map.inverse(sigma);
+  const double scale = marginal_scale(coordinates_.marginal_row_inverse(row));
+  const double s = coordinates_.marginal_map.inverse(sigma / scale);
   const auto u = marginal_column_inverse(pair_.marginal.inverse(row, s));
   return upper ? u.complement : u.u;
 }
@@ -100,15 +135,23 @@ double PairSlopes::slope_at(double s) const {
 
 double PairSlopes::least_s() const {
   const double column = marginal_column(Probability<double>{kRare, 1 - kRare});
-  return pair_.marginal.lookup(direction_row(1), column);
+  return pair_.marginal.lookup(direction_row(1, false), column);
 }
 
 double PairSlopes::most_s() const {
   const double column = marginal_column(Probability<double>{1 - kRare, kRare});
-  return pair_.marginal.lookup(direction_row(0), column);
+  return pair_.marginal.lookup(direction_row(0, false), column);
 }
 
-PairSlopes::ConditionalRow PairSlopes::conditional_row(double x) const {
+double PairSlopes::least_root() const {
+  const BoundedSlope<double> c = coordinates_.marginal_row_inverse(1);
+  const double column = marginal_column(Probability<double>{kRare, 1 - kRare});
+  const double sigma = coordinates_.marginal_map.at(pair_.marginal.lookup(1, column));
+  return root_of(in_unit({marginal_scale(c) * sigma, 0}, unit_)).value;
+}
+
+PairSlopes::ConditionalRow PairSlopes::conditional_row(double slope) const {
+  const double x = scale_.rim > 0 ? std::min(slope, kInsideRim * scale_.rim) : slope;
   const auto bounded = bounded_from_slope(x * unit_);
   const double scale =
       coordinates_.scale.at({bounded.numerator(), bounded.denominator()}) / bounded.denominator();

@@ -30,13 +30,21 @@ class PairSlopes {
   bool separable() const { return separable_; }
   const KernelScale& scale() const { return scale_; }
 
-  /// The row of the marginal table for the direction of place g = 1 / (1 + c), where c = cot(theta)
-  /// in units of U.
-  double direction_row(double g) const;
+  /// The row of the marginal table for the direction of place g = 1 / (1 + |c|), where
+  /// c = cot(theta) in units of U, above the horizon or below it.
+  double direction_row(double g, bool below) const;
+  /// Whether directions below the horizon have rows.
+  bool reaches_below() const { return coordinates_.reaches_below(); }
+  /// g of the lowest direction that has a row, and |c| from which on nothing is visible from below:
+  /// that of the row if slopes are bounded, else infinite.
+  double lowest_g() const;
+  double most_cotangent() const;
   /// What stands for slope x at u1 = q or, where `upper`, at u1 = 1 - q, with its derivative by q.
   /// It is the root of sigma where the distribution is separable, for then that is smooth; else it
   /// is s of the pair's map, in which every distribution is smooth.
   Node marginal(double row, double q, bool upper) const;
+  /// The same for a row below the horizon: the root of sigma over that of g.
+  Node marginal_below(double row, double q, bool upper) const;
   /// The root of sigma at s, with its derivative by s.
   Node map(double s) const;
   /// The q at which slope x has `root`.
@@ -50,6 +58,9 @@ class PairSlopes {
   /// and at normal incidence.
   double least_s() const;
   double most_s() const;
+  /// The least root of sigma that matters: that which one of 1e9 samples is beyond at the lowest
+  /// direction that has a row.
+  double least_root() const;
 
   /// A row of the conditional table, and what its slopes are multiplied by to be over the kernel's
   /// scale.
@@ -68,6 +79,10 @@ class PairSlopes {
   double log2_backfacing(double c) const;
 
  private:
+  double g_of(const BoundedSlope<double>& c) const;
+  /// What the marginal table holds, with its derivative by q.
+  Node stored(double row, double q, bool upper) const;
+
   const SlopeTables& pair_;
   PairCoordinates coordinates_;
   double unit_;

@@ -26,7 +26,9 @@ bool follows_column(const Surface& surface, const Columns& columns, const Criter
   // Next to the pointed middle of a density the derivative may be infinite. No cell is short enough
   // for it there, so that it is limited where too few samples land to see it.
   const double mass = std::abs(columns.probability(end) - columns.probability(begin));
-  if (mass > criterion.tolerance / 4 && !is_monotone(low, high, end - begin)) return false;
+  const bool rises =
+      std::abs(high.value - low.value) >= criterion.least_rise * std::abs(high.value);
+  if (rises && mass > criterion.tolerance / 4 && !is_monotone(low, high, end - begin)) return false;
   const Cubic cubic = monotone_hermite(low, high, end - begin);
   return std::ranges::all_of(kPlacesInColumn, [&](double f) {
     const double p = begin + f * (end - begin), q = columns.probability(p);
@@ -57,12 +59,22 @@ std::vector<double> usual_probabilities() {
   return qs;
 }
 
-/// Probabilities at the edges of columns and between them.
+/// Probabilities at the edges of columns and between them, or usual ones if no columns are laid.
 std::vector<double> probabilities_of(const Columns& columns, const Axis& axis) {
+  if (axis.cells.empty()) return usual_probabilities();
   std::vector<double> qs;
   for (const AxisCell& cell : axis.cells)
     for (const double f : {0.0, 0.25, 0.5, 0.75})
       qs.push_back(columns.probability(cell.begin + f * cell.width()));
+  return qs;
+}
+
+/// The same of both halves of the columns of y.
+std::vector<double> probabilities_of_y(const Columns& columns, const Axis& conditional,
+                                       const Axis& mirrored) {
+  auto qs = probabilities_of(columns.halved(false), conditional);
+  const auto more = probabilities_of(columns.halved(true), mirrored);
+  qs.insert(qs.end(), more.begin(), more.end());
   return qs;
 }
 
@@ -149,12 +161,7 @@ bool follows_map(const PairSlopes& slopes, const Criterion& criterion, bool uppe
 void lay_slopes(Plan& plan, const Criterion& criterion) {
   const PairSlopes& slopes = plan.pair;
   const double offset = plan.slope_offset;
-  auto qs = usual_probabilities();
-  if (!plan.conditional.cells.empty()) {
-    qs = probabilities_of(plan.columns.halved(false), plan.conditional);
-    const auto more = probabilities_of(plan.columns.halved(true), plan.mirrored);
-    qs.insert(qs.end(), more.begin(), more.end());
-  }
+  auto qs = probabilities_of_y(plan.columns, plan.conditional, plan.mirrored);
   lay_with_enough_bits({5, 6, 7}, [&](int bits) {
     bool fine = true;
     for (const bool upper : {false, true}) {
@@ -177,29 +184,37 @@ void lay_slopes(Plan& plan, const Criterion& criterion) {
   });
 }
 
+/// Rows of slope x from the direction of place `first` up or, where `below`, down to the horizon,
+/// by the columns if those are laid.
+Axis direction_rows(const Plan& plan, const Criterion& criterion, bool below, double first,
+                    const Axis& lower, const Axis& upper) {
+  const Surface low = marginal_surface(plan.pair, false, below),
+                high = marginal_surface(plan.pair, true, below);
+  auto low_qs = probabilities_of(plan.columns, lower),
+       high_qs = probabilities_of(plan.columns, upper);
+  const double offset = plan.direction_offset;
+  Axis rows;
+  lay_with_enough_bits({4, 6, 8}, [&](int bits) {
+    rows = cells_between(first + offset, 1 + offset, bits, [&](double begin, double end) {
+      return follows_rows(low, criterion, low_qs, begin - offset, end - offset) &&
+             follows_rows(high, criterion, high_qs, begin - offset, end - offset);
+    });
+    return !rows.too_coarse;
+  });
+  return rows;
+}
+
 /// Lays the rows of both tables, by the columns if those are laid.
 void lay_rows(Plan& plan, const Criterion& criterion) {
-  const Surface lower = marginal_surface(plan.pair, false),
-                upper = marginal_surface(plan.pair, true);
-  const auto probabilities = [&](const Axis& axis) {
-    return axis.cells.empty() ? usual_probabilities() : probabilities_of(plan.columns, axis);
-  };
-  auto low = probabilities(plan.lower), high = probabilities(plan.upper);
-  const double offset = plan.direction_offset;
-  lay_with_enough_bits({4, 6, 8}, [&](int bits) {
-    plan.directions = cells_between(offset, 1 + offset, bits, [&](double begin, double end) {
-      return follows_rows(lower, criterion, low, begin - offset, end - offset) &&
-             follows_rows(upper, criterion, high, begin - offset, end - offset);
-    });
-    return !plan.directions.too_coarse;
-  });
+  plan.directions = direction_rows(plan, criterion, false, 0, plan.lower, plan.upper);
   if (!plan.pair.separable()) lay_slopes(plan, criterion);
 }
 
 /// Lays the columns of both tables, compared on so many rows in each cell of rows.
 void lay_columns(Plan& plan, const Criterion& criterion, std::size_t places) {
   const PairSlopes& slopes = plan.pair;
-  const Surface lower = marginal_surface(slopes, false), upper = marginal_surface(slopes, true),
+  const Surface lower = marginal_surface(slopes, false, false),
+                upper = marginal_surface(slopes, true, false),
                 conditional = conditional_surface(slopes, false);
   const auto directions = rows_in(lower, plan.directions, plan.direction_offset, places);
   std::vector<double> xs;
@@ -235,7 +250,51 @@ const PairSlopes& best_of(const std::vector<PairSlopes>& candidates, const Colum
   });
 }
 
+/// Lays the rows of what directions below the horizon have, by the columns if those are laid.
+void lay_rows_below(Plan& plan, const Criterion& criterion) {
+  const PairSlopes& slopes = plan.pair;
+  PlanBelow& below = plan.below;
+  below.directions =
+      direction_rows(plan, criterion, true, slopes.lowest_g(), below.lower, below.upper);
+  if (slopes.separable()) return;
+  const Surface steep = steep_surface(slopes);
+  auto qs = probabilities_of_y(plan.columns, below.conditional, below.mirrored);
+  const double offset = plan.slope_offset, most = kMiddleRoot - slopes.least_root();
+  lay_with_enough_bits({4, 6, 8}, [&](int bits) {
+    below.rows = cells_between(offset, most + offset, bits, [&](double begin, double end) {
+      return follows_rows(steep, criterion, qs, begin - offset, end - offset);
+    });
+    return !below.rows.too_coarse;
+  });
+}
+
+/// Lays the columns of the same, whose keys have as many bits as those above the horizon.
+void lay_columns_below(Plan& plan, const Criterion& criterion, std::size_t places) {
+  const PairSlopes& slopes = plan.pair;
+  PlanBelow& below = plan.below;
+  const int bits = 23 - static_cast<int>(plan.lower.shift);
+  const auto cells = [&](const Surface& surface, const Columns& columns, const Axis& rows,
+                         double offset) {
+    return column_cells(surface, columns, criterion, rows_in(surface, rows, offset, places), bits);
+  };
+  for (const bool upper : {false, true})
+    (upper ? below.upper : below.lower) = cells(marginal_surface(slopes, upper, true), plan.columns,
+                                                below.directions, plan.direction_offset);
+  if (slopes.separable()) return;
+  const Surface steep = steep_surface(slopes);
+  below.conditional = cells(steep, plan.columns.halved(false), below.rows, plan.slope_offset);
+  below.mirrored = cells(steep, plan.columns.halved(true), below.rows, plan.slope_offset);
+}
+
 }  // namespace
+
+void plan_below(Plan& plan, const Criterion& criterion) {
+  plan.below = {};
+  for (const std::size_t places : {2u, 6u}) {
+    lay_rows_below(plan, criterion);
+    lay_columns_below(plan, criterion, places);
+  }
+}
 
 Plan plan_for(const std::vector<PairSlopes>& candidates, const Columns& columns,
               const Criterion& criterion) {

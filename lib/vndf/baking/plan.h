@@ -20,6 +20,12 @@ struct SlopeHalf {
 /// By how many powers of two places above s0 are larger: more than the octaves that one half has.
 inline constexpr int kSlopeOctaves = 8;
 
+/// The cells of what directions below the horizon have of their own.
+struct PlanBelow {
+  Axis directions = {}, lower = {}, upper = {};     ///< rows and columns of the marginal
+  Axis rows = {}, conditional = {}, mirrored = {};  ///< of y; empty if the pair is separable
+};
+
 struct Plan {
   const PairSlopes& pair;  ///< in the unit that was chosen
   Columns columns;
@@ -31,6 +37,9 @@ struct Plan {
   // 2^-6 and 2^-10 change the bytes by 6 % at most; but of slopes 2^-10 has more than
   // kSlopeOctaves.
   double direction_offset = 0x1p-8, slope_offset = 0x1p-8;
+
+  /// Has no cells where there is nothing for directions below the horizon.
+  PlanBelow below = {};
 
   std::size_t slope_rows() const {
     return slopes[0].rows.cells.size() + slopes[1].rows.cells.size();
@@ -57,5 +66,8 @@ struct Plan {
 /// rows and columns keeps within the criterion. The plan refers to the candidate.
 Plan plan_for(const std::vector<PairSlopes>& candidates, const Columns& columns,
               const Criterion& criterion);
+
+/// Adds what directions below the horizon need, within a criterion of its own.
+void plan_below(Plan& plan, const Criterion& criterion);
 
 }  // namespace vndf::baking

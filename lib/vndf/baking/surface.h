@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include "vndf/baking/cells.h"
 #include "vndf/baking/pair_slopes.h"
@@ -53,6 +54,9 @@ inline constexpr Columns kByProbability{false, 0, 25}, kByRoot{true, 0x1p-8, 9};
 /// How near a value must be to that of a quantile function.
 struct Criterion {
   double tolerance;  ///< in u
+  /// Where values rise by less than this part from one end of a cell to the other, their
+  /// derivatives are not asked for: the values have no digits to tell them.
+  double least_rise = 0;
 
   /// Whether `value` stands for `exact`, the value and derivative at q: the difference in u is that
   /// of the values over the derivative.
@@ -63,6 +67,13 @@ struct Criterion {
     return error <= std::min(tolerance, tail) || difference <= kRounding * std::abs(exact.value);
   }
 };
+
+/// A tolerance as criterion of directions below the horizon. They may see slopes that differ by a
+/// few roundings only. Without a least rise a disk takes a third more bytes below the horizon;
+/// 2^-18 and 2^-12 change nothing.
+inline Criterion criterion_below(double tolerance) {
+  return {tolerance, 0x1p-15};
+}
 
 /// A quantile function over the places of rows and q.
 struct Surface {
@@ -83,13 +94,16 @@ inline Node map_node(const PairSlopes& slopes, double place, bool upper) {
 }
 
 /// What stands for slope x (PairSlopes::marginal) over g and q, in one half of u1.
-inline Surface marginal_surface(const PairSlopes& slopes, bool upper) {
-  return {[&slopes](double g) { return slopes.direction_row(g); },
-          [&slopes, upper](double row, double q) { return slopes.marginal(row, q, upper); }};
+inline Surface marginal_surface(const PairSlopes& slopes, bool upper, bool below) {
+  return {[&slopes, below](double g) { return slopes.direction_row(g, below); },
+          [&slopes, upper, below](double row, double q) {
+            return below ? slopes.marginal_below(row, q, upper) : slopes.marginal(row, q, upper);
+          }};
 }
-/// Slope y over the places |s - s0| of one half, and q.
-inline Surface conditional_surface(const PairSlopes& slopes, bool upper) {
-  return {[&slopes, upper](double place) { return slopes.slope_at(s_at(slopes, place, upper)); },
+/// Slope y over places of slope x, which `slope_of` returns, and q.
+template <class SlopeOf>
+Surface conditional_surface_over(const PairSlopes& slopes, SlopeOf slope_of) {
+  return {slope_of,
           // Keeps the row of the last x, for it is asked for many q one after the other.
           [&slopes, last = -1.0, row = PairSlopes::ConditionalRow{}](double x, double q) mutable {
             if (x != last) {
@@ -98,6 +112,21 @@ inline Surface conditional_surface(const PairSlopes& slopes, bool upper) {
             }
             return slopes.conditional(row, q);
           }};
+}
+/// Slope y over the places |s - s0| of one half, and q.
+inline Surface conditional_surface(const PairSlopes& slopes, bool upper) {
+  return conditional_surface_over(slopes, [&slopes, upper](double place) {
+    return slopes.slope_at(s_at(slopes, place, upper));
+  });
+}
+/// The root of sigma at slope 0.
+inline constexpr double kMiddleRoot = std::numbers::sqrt2 / 2;
+/// Slope y over the places kMiddleRoot - root of slopes x < 0, and q.
+inline Surface steep_surface(const PairSlopes& slopes) {
+  return conditional_surface_over(slopes, [](double place) {
+    const double root = kMiddleRoot - place, sigma = root * root;
+    return std::max(0.5 - sigma, 0.0) / (sigma * (1 - sigma));
+  });
 }
 
 /// The node of a surface at the place `p` of a column.

@@ -25,6 +25,7 @@ namespace {
 HWY_INLINE void stretch(const kernel::VndfTables& t, const DirectionBlock& in, std::size_t n,
                         Directions& out) {
   const std::size_t lanes = hn::Lanes(d);
+  out.below = 0;
   for (std::size_t i = 0; i < n; i += lanes) {
     for (const float* input : {in.x, in.y, in.z, in.alpha_x, in.alpha_y}) prefetch_ahead(input + i);
     const V alpha_x = hn::LoadU(d, in.alpha_x + i), alpha_y = hn::LoadU(d, in.alpha_y + i);

@@ -34,7 +34,8 @@ class Sampling {
   void block(std::size_t begin, const Directions& directions) {
     const std::size_t n = block_size(begin, samples_.size);
     // 2. sample the slope of the stretched configuration
-    place_columns(directions, samples_.u1.block(begin), samples_.u2.block(begin), n);
+    const float *u1 = samples_.u1.block(begin), *u2 = samples_.u2.block(begin);
+    place_columns(directions, u1, u2, n);
     if (t_.separable != 0) {
       draw_root(directions, n);
       draw_separable_y(n);
@@ -45,7 +46,12 @@ class Sampling {
       draw_slope_y(n);
     }
     // 3. rotate, 4. unstretch, 5. compute the normal
-    write_normals(directions, begin, n);
+    float *x = samples_.x.block(begin), *y = samples_.y.block(begin), *z = samples_.z.block(begin);
+    write_normals(directions, n, x, y, z);
+    if (directions.below != 0) sample_each_below(t_, directions, n, u1, u2, x, y, z);
+    samples_.x.finish(begin);
+    samples_.y.finish(begin);
+    samples_.z.finish(begin);
   }
 
  private:
@@ -161,9 +167,8 @@ class Sampling {
   }
 
   /// kernel::vndf_unstretched and kernel::vndf_unit_or_up.
-  HWY_INLINE void write_normals(const Directions& w, std::size_t begin, std::size_t n) {
-    float *out_x = samples_.x.block(begin), *out_y = samples_.y.block(begin),
-          *out_z = samples_.z.block(begin);
+  HWY_INLINE void write_normals(const Directions& w, std::size_t n, float* out_x, float* out_y,
+                                float* out_z) const {
     for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
       for (const float* output : {out_x, out_y, out_z}) prefetch_ahead(output + i);
       const V one = set(1.0f), root = load(root_, i), sigma = hn::Mul(root, root);
@@ -182,9 +187,6 @@ class Sampling {
       hn::StoreU(hn::IfThenElseZero(is_normal, hn::Mul(m_y, inverse)), d, out_y + i);
       hn::StoreU(hn::IfThenElse(is_normal, hn::Mul(m_z, inverse), one), d, out_z + i);
     }
-    samples_.x.finish(begin);
-    samples_.y.finish(begin);
-    samples_.z.finish(begin);
   }
 
   const kernel::VndfTables& t_;

@@ -56,6 +56,18 @@ void stretch_each(const kernel::VndfTables& tables, const DirectionBlock& inputs
                                       inputs.alpha_x[i], inputs.alpha_y[i]));
 }
 
+void sample_each_below(const kernel::VndfTables& tables, const Directions& directions,
+                       std::size_t n, const float* u1, const float* u2, float* x, float* y,
+                       float* z) {
+  for (std::size_t i = 0; i < n; ++i) {
+    if ((directions.below >> i & 1) == 0) continue;
+    const Vec3<float> wm = kernel::vndf_sample(tables, directions.lower[i], u1[i], u2[i]);
+    x[i] = wm.x;
+    y[i] = wm.y;
+    z[i] = wm.z;
+  }
+}
+
 namespace {
 
 HWY_EXPORT(sample_directions);

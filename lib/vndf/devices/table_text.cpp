@@ -71,8 +71,17 @@ std::string number_statements(const kernel::VndfTables& t) {
   add("ndf.count", t.ndf.count);
   add("backfacing.segments", t.backfacing.segments);
   add("backfacing.count", t.backfacing.count);
+  add("below.most_cotangent", t.below.most_cotangent);
+  add("below.least_place", t.below.least_place);
+  add("below.direction_guide", t.below.direction_guide);
+  add("below.direction_shift", t.below.direction_shift);
+  add("below.marginal_guide", t.below.marginal_guide);
+  add("below.conditional_guide", t.below.conditional_guide);
+  add("below.slope_guide", t.below.slope_guide);
+  add("below.slope_shift", t.below.slope_shift);
+  add("below.slope_most", t.below.slope_most);
   // A number that is added to the struct must be added here.
-  static_assert(sizeof t == 29 * sizeof(float) + 4 + sizeof t.block);
+  static_assert(sizeof t == 38 * sizeof(float) + sizeof t.block);
   return text;
 }
 

@@ -13,7 +13,7 @@ inline constexpr char kSamples[] = "profile_samples";
 /// The attribute of a figure of a certificate.
 std::string certificate_name(const std::string& figure);
 
-/// All attributes and all arrays of format version 3.0.
+/// All attributes and all arrays of format version 4.0.
 const std::vector<std::string>& attribute_names();
 const std::vector<std::string>& array_names();
 

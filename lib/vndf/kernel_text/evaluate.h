@@ -21,10 +21,10 @@ VNDF_FUNCTION float vndf_curve(VNDF_IN(VndfTables) t, VndfCurve curve, float pla
   return 0.0f;
 }
 
-/// Whether `w` is a direction on or above the horizon and alpha a roughness.
+/// Whether `w` is a direction, above the horizon or below it, and alpha a roughness.
 VNDF_FUNCTION bool vndf_valid(vec3 w, float alpha_x, float alpha_y) {
   float sum = magnitude(w.x) + magnitude(w.y) + alpha_x + alpha_y;
-  return w.z >= 0.0f && smaller(alpha_x, alpha_y) > 0.0f && sum <= kVndfLargest;
+  return w.z == w.z && smaller(alpha_x, alpha_y) > 0.0f && sum <= kVndfLargest;
 }
 
 /// The distribution of normals D(wm), per solid angle; 0 for a horizontal or back-facing normal.
@@ -36,34 +36,41 @@ VNDF_FUNCTION float vndf_d(VNDF_IN(VndfTables) t, vec3 wm, float alpha_x, float 
   return vndf_curve(t, t.ndf, square_root(h2) / wm.z) / (ax * ay * square * square);
 }
 
-/// w.z Lambda(w): the projected area of the facets that face away from w.
+/// |w.z| Lambda(w): the projected area of the facets that face away from w or, below the horizon,
+/// of those that face it.
 VNDF_FUNCTION float vndf_backfacing_area(VNDF_IN(VndfTables) t, vec3 w, float alpha_x,
                                          float alpha_y) {
   float x = alpha_x * t.unit * w.x, y = alpha_y * t.unit * w.y;
   float h = square_root(x * x + y * y);
-  return h > 0.0f ? h * vndf_curve(t, t.backfacing, w.z / h) : 0.0f;
+  return h > 0.0f ? h * vndf_curve(t, t.backfacing, magnitude(w.z) / h) : 0.0f;
+}
+
+/// Projected area of the facets that face w, per area of the surface: w.z (1 + Lambda(w)) above the
+/// horizon and |w.z| Lambda(w) below it.
+VNDF_FUNCTION float vndf_visible_area(VNDF_IN(VndfTables) t, vec3 w, float alpha_x, float alpha_y) {
+  if (!vndf_valid(w, alpha_x, alpha_y)) return 0.0f;
+  return larger(w.z, 0.0f) + vndf_backfacing_area(t, w, alpha_x, alpha_y);
 }
 
 /// Smith's Lambda of a direction or of its mirror below the horizon; infinite at the horizon.
 VNDF_FUNCTION float vndf_lambda(VNDF_IN(VndfTables) t, vec3 w, float alpha_x, float alpha_y) {
-  vec3 above = make3(w.x, w.y, magnitude(w.z));
-  if (!vndf_valid(above, alpha_x, alpha_y)) return 0.0f;
-  return vndf_backfacing_area(t, above, alpha_x, alpha_y) / above.z;
+  if (!vndf_valid(w, alpha_x, alpha_y)) return 0.0f;
+  return vndf_backfacing_area(t, w, alpha_x, alpha_y) / magnitude(w.z);
 }
 
 /// Smith's masking G1 = 1 / (1 + Lambda); 0 at the horizon.
 VNDF_FUNCTION float vndf_g1(VNDF_IN(VndfTables) t, vec3 w, float alpha_x, float alpha_y) {
-  vec3 above = make3(w.x, w.y, magnitude(w.z));
-  if (!vndf_valid(above, alpha_x, alpha_y) || above.z == 0.0f) return 0.0f;
-  return above.z / (above.z + vndf_backfacing_area(t, above, alpha_x, alpha_y));
+  float z = magnitude(w.z);
+  if (!vndf_valid(w, alpha_x, alpha_y) || z == 0.0f) return 0.0f;
+  return z / (z + vndf_backfacing_area(t, w, alpha_x, alpha_y));
 }
 
-/// The density of the exact distribution, D_wi(wm) = dot(wi, wm)+ D(wm) / (wi.z (1 + Lambda(wi)))
-/// (equation 2).
+/// The density of the exact distribution, D_wi(wm) = dot(wi, wm)+ D(wm) over the visible area of wi
+/// (equation 2); 0 where nothing is visible.
 VNDF_FUNCTION float vndf_pdf(VNDF_IN(VndfTables) t, vec3 wi, vec3 wm, float alpha_x,
                              float alpha_y) {
   float cosine = wi.x * wm.x + wi.y * wm.y + wi.z * wm.z;
-  if (!vndf_valid(wi, alpha_x, alpha_y) || !(cosine > 0.0f)) return 0.0f;
-  float area = wi.z + vndf_backfacing_area(t, wi, alpha_x, alpha_y);
-  return cosine * vndf_d(t, wm, alpha_x, alpha_y) / area;
+  float area = vndf_visible_area(t, wi, alpha_x, alpha_y);
+  if (!(cosine > 0.0f) || !(area > 0.0f)) return 0.0f;
+  return smaller(cosine * vndf_d(t, wm, alpha_x, alpha_y) / area, kVndfLargest);
 }

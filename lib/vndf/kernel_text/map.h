@@ -27,7 +27,9 @@ VNDF_FUNCTION float vndf_draw_density(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirecti
   float apart = draw.upper[0] != 0u ? float_of(0x3f800000u + (t.column_upper - kVndfSign)) : 1.0f;
   float droot = magnitude(vndf_rate(draw.marginal, draw.f[0])) * apart *
                 vndf_column_rate(t, draw.places[0] / apart);
-  if (t.separable == 0u) {
+  if (w.kind == kVndfBelow) {
+    droot = droot * w.edge;
+  } else if (t.separable == 0u) {
     float upper = draw.s > t.slope_middle ? float_of(0x3f800000u + t.slope_upper) : 1.0f;
     droot = droot * magnitude(vndf_rate(draw.map, draw.map_f)) * upper;
   }

@@ -5,6 +5,18 @@ struct VndfCurve {
   uint segments, count;
 };
 
+/// What directions below the horizon have of their own.
+struct VndfBelow {
+  /// In units of U: nothing is visible from a cotangent of minus it, nor from lower ones. It is 0
+  /// where the tables have nothing for directions below the horizon.
+  float most_cotangent;
+  float least_place;  ///< on the axis of incidence: lower directions take the row there
+  uint direction_guide, direction_shift;
+  uint marginal_guide, conditional_guide;
+  uint slope_guide, slope_shift;  ///< of rows of y
+  float slope_most;               ///< largest place on their axis
+};
+
 /// What of the header of the tables the functions read.
 struct VndfTables {
   float unit;            ///< U: slope at unit roughness for each 1 of x
@@ -28,6 +40,7 @@ struct VndfTables {
   uint kind;                      ///< kVndfPlain or kVndfAny
   uint separable;  ///< 1 where y over its scale does not depend on x, 0 where it has rows in x
   VndfCurve ndf, backfacing;
+  VndfBelow below;
   Block block;
 };
 
@@ -38,18 +51,21 @@ struct VndfDirection {
   float h2, hu;   ///< h^2 = x^2 + y^2, and h U
   float g;        ///< place in its row of patches
   uint row;       ///< bytes from the first row to it
+  uint kind;      ///< kVndfPlain, kVndfAny or, below the horizon, kVndfBelow
+  float edge;     ///< what the values of patches are multiplied by below the horizon
 };
 
 /// Step 2 of one sample: the slope, and the cubics that gave it, of which the density needs the
 /// derivatives.
 struct VndfDraw {
   float4 marginal, map, conditional;
-  float s, map_f;  ///< s, and the place in the map's cell; set where tables are not separable
+  float s, map_f;  ///< s, and the place in the map's cell; set where the map was used
   float4 f;        ///< place in the cell: of u1 in two lanes, of u2 in two
   uint4 upper;     ///< all bits where u is above one half, in the same lanes
   float4 places;   ///< on the axis of columns, in the same lanes
   float root;      ///< root of sigma, which stands for slope x
   float v;         ///< slope y over its scale
+  uint second;     ///< where the coefficients of the column of u2 begin
 };
 
 VNDF_CONSTANT float kVndfLeastU = 2.98023224e-8f;  // 2^-25
@@ -57,7 +73,8 @@ VNDF_CONSTANT float kVndfMostU = 0.999999940395f;  // 1 - 2^-24
 // Between these h^2 has all its digits and no product with it overflows.
 VNDF_CONSTANT float kVndfShortest = 1e-12f;
 VNDF_CONSTANT float kVndfLongest = 1e12f;
-VNDF_CONSTANT float kVndfLeast = 1.17549435e-38f;  // the least number that has all its digits
+VNDF_CONSTANT float kVndfLeast = 1.17549435e-38f;       // the least number that has all its digits
+VNDF_CONSTANT float kVndfMiddleRoot = 0.707106781187f;  // root of sigma at slope 0
 VNDF_CONSTANT float kVndfLargest =
     3.402823466e38f;  // the largest; a density where many u give one normal
 VNDF_CONSTANT float kVndfFarthest = 1.26765060e30f;  // 2^100; curves take slopes beyond it for it
@@ -65,6 +82,8 @@ VNDF_CONSTANT float kVndfFarthest = 1.26765060e30f;  // 2^100; curves take slope
 // and have columns by q, which saves instructions; the functions for any tables are right for all.
 VNDF_CONSTANT uint kVndfPlain = 0u;
 VNDF_CONSTANT uint kVndfAny = 1u;
+// The same for a direction below the horizon, which has patches of its own.
+VNDF_CONSTANT uint kVndfBelow = 2u;
 VNDF_CONSTANT uint kVndfSign = 0x80000000u;
 
 /// Whether `a` is in [low, high), both positive. One comparison of bits tells, also where `a` is

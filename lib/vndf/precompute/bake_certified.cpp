@@ -23,6 +23,7 @@ TableErrors joined(TableErrors errors, double difference) {
 /// errors of functions.
 Certificate joined(Certificate c, const KernelHeader& header) {
   c.marginal = joined(c.marginal, header.difference_x);
+  c.below = header.below_bytes != 0 ? joined(c.below, header.difference_x) : TableErrors{};
   c.conditional = joined(c.conditional, header.difference_y);
   c.max_d_error += header.tolerance;
   c.max_lambda_error += header.tolerance;

@@ -91,7 +91,8 @@ void set_marginal(SlopeTables& tables, const UnitSlopes& slopes, const TableLayo
                   const support::Workers& workers) {
   tables.marginal_map = marginal_map(slopes);
   const MonotoneMap map(tables.marginal_map);
-  PlacedTable placed = fill_table(marginal_rows(slopes, map), layout, workers);
+  PlacedTable placed =
+      fill_table(marginal_rows(slopes, map), marginal_rows_below(slopes, map), layout, workers);
   tables.marginal = std::move(placed.table);
   tables.marginal_rows = std::move(placed.knots);
 }

@@ -14,7 +14,8 @@
 namespace vndf::precompute {
 
 struct BuildOptions {
-  /// Rows (incidence, slope x) and columns (u1, u2) of both tables, from 2 x 5 to 8192 x 8192.
+  /// Rows (incidence, slope x) and columns (u1, u2) of both tables, from 2 x 5 to 8192 x 8192. The
+  /// marginal has as many rows again for incidence below the horizon.
   TableLayout layout = {};
   /// Threads to run; 0 means one for each processor. The tables do not depend on it.
   unsigned threads = 0;

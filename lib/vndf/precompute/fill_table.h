@@ -28,6 +28,12 @@ struct PlacedTable {
 PlacedTable fill_table(const RowSource& source, const TableLayout& layout,
                        const support::Workers& workers);
 
+/// Fills one table of `source`, up to base coordinate 1, and of `beyond`, whose base coordinates
+/// are 1 larger, with layout.rows rows of each: those that it would have alone. At 1 both have the
+/// same row, which is in the table once.
+PlacedTable fill_table(const RowSource& source, const RowSource& beyond, const TableLayout& layout,
+                       const support::Workers& workers);
+
 /// Fills the table of a source whose rows are all equal with its row at base coordinate 0.
 QuantileTable fill_with_one_row(const RowSource& source, const TableLayout& layout);
 

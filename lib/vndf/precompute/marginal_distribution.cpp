@@ -49,8 +49,9 @@ double smooth_edge(const UnitSlopes& slopes, double farthest, double cotangent) 
   while (near > kNearest && !smooth_over(slopes, farthest - near, farthest)) near /= 2;
   double from = farthest - near;
   for (const double r : slopes.distribution().breaks()) {
-    const double a = std::asinh(r / slopes.mean_slope());
-    if (a < farthest) from = std::max(from, a);
+    const double place = std::asinh(r / slopes.mean_slope());
+    for (const double a : {-place, place})
+      if (a < farthest) from = std::max(from, a);
   }
   return from;
 }
@@ -63,8 +64,13 @@ MarginalDistribution::MarginalDistribution(const UnitSlopes& slopes, const Bound
       cotangent_(asinh_of(c)),
       cosine_(c.numerator() / c.hypotenuse()),
       sine_(c.denominator() / c.hypotenuse()),
-      norm_(cosine_ * (1 - slopes.q(cotangent_)) + sine_ * slopes.m(cotangent_)),
       smooth_from_(smooth_edge(slopes, farthest_, cotangent_)) {
+  if (farthest_ < 0) {
+    norm_ = lower_mass(-farthest_);
+    turn_ = smooth_from_;
+    return;
+  }
+  norm_ = cosine_ * (1 - slopes.q(cotangent_)) + sine_ * slopes.m(cotangent_);
   const double middle = farthest_ / 2;
   if (smooth_from_ >= middle || !(farthest_ > 0)) return;
   const double whole = gauss(0, farthest_), halves = gauss(0, middle) + gauss(middle, farthest_);
@@ -96,7 +102,7 @@ double MarginalDistribution::weighted_density(double a) const {
 }
 
 Probability<double> MarginalDistribution::cdf(double a) const {
-  if (a > 0) {
+  if (a > turn_) {
     const double complement = upper_mass(a) / norm_;
     return {1 - complement, complement};
   }
@@ -109,20 +115,20 @@ double MarginalDistribution::quantile(const Probability<double>& u, double guess
   if (u.complement == 0) return farthest_;
   // The tails are close to straight lines in the logarithm of a mass, so that is solved for.
   const double farthest = std::min(farthest_, kFarthestLow);
-  if (u.u * norm_ <= lower_mass(0)) {
+  if (u.u * norm_ <= lower_mass(-turn_)) {
     const double target = std::log(u.u * norm_);
     const auto lack = [&](double b) {
       const double mass = lower_mass(b);
       return WithDerivative<double>{target - std::log(mass), weighted_density(-b) / mass};
     };
-    return -support::increasing_root(lack, 0, kFarthestLow, -guess, kQuantileStep);
+    return -support::increasing_root(lack, -turn_, kFarthestLow, -guess, kQuantileStep);
   }
   const double target = std::log(u.complement * norm_);
   const auto lack = [&](double a) {
     const double mass = upper_mass(a);
     return WithDerivative<double>{target - std::log(mass), weighted_density(a) / mass};
   };
-  return support::increasing_root(lack, 0, farthest, guess, kQuantileStep);
+  return support::increasing_root(lack, turn_, farthest, guess, kQuantileStep);
 }
 
 }  // namespace vndf::precompute

@@ -37,7 +37,7 @@ class MarginalDistribution {
   double gauss(double low, double high) const;  // its integral, where it is smooth
 
   const UnitSlopes& slopes_;
-  double farthest_, cotangent_, cosine_, sine_, norm_, smooth_from_;
+  double farthest_, cotangent_, cosine_, sine_, smooth_from_, norm_ = 0, turn_ = 0;
 };
 
 }  // namespace vndf::precompute

@@ -115,13 +115,22 @@ struct MeasuredPair {
   }
 };
 
-TableErrors marginal_errors(const MeasuredPair& pair, const support::Workers& workers) {
+/// Measures rows of the marginal from row coordinate `first` to `last`, and at more incidences.
+template <class Incidences, class Measures>
+TableErrors marginal_errors(const MeasuredPair& pair, double first, double last,
+                            const Incidences& incidences, Measures measures,
+                            const support::Workers& workers) {
   const PairCoordinates& at = pair.sampler.map().coordinates();
+  const auto intervals = static_cast<double>(pair.sampler.tables().marginal.rows() - 1);
+  const auto rows = static_cast<std::size_t>(std::round((last - first) * intervals)) + 1;
   std::vector<MeasuredPair::Direction> directions;
-  for (const double row : off_grid_rows(pair.sampler.tables().marginal.rows(), kMeasuredRows))
-    directions.push_back(MeasuredPair::direction(at.marginal_row_inverse(row)));
-  for (const double degrees : kHardIncidences)
-    directions.push_back(pair.direction(degrees * kDegree));
+  for (const double row : off_grid_rows(rows, kMeasuredRows))
+    directions.push_back(
+        MeasuredPair::direction(at.marginal_row_inverse(first + (last - first) * row)));
+  for (const double degrees : incidences) directions.push_back(pair.direction(degrees * kDegree));
+  std::erase_if(directions, [&](const MeasuredPair::Direction& w) {
+    return !measures(bounded_cotangent<double>(w.z, w.s));
+  });
   return measure_rows(directions.size(), workers,
                       [&](std::size_t i) { return pair.marginal_row(directions[i], i); });
 }
@@ -147,7 +156,12 @@ Certificate measure_certificate(const UnitSlopes& slopes,
   const MeasuredPair pair{slopes, TabulatedSampler<float>(tables),
                           TabulatedSampler<double>(tables)};
   Certificate certificate;
-  certificate.marginal = marginal_errors(pair, workers);
+  const double grazing = pair.sampler.map().coordinates().marginal_rows.row(1);
+  certificate.marginal = marginal_errors(
+      pair, 0, grazing, kHardIncidences, [](const auto&) { return true; }, workers);
+  certificate.below = marginal_errors(
+      pair, grazing, 1, kHardIncidencesBelow,
+      [&](const auto& c) { return measures_below(slopes, c); }, workers);
   certificate.conditional = conditional_errors(pair, workers);
   FunctionErrors(slopes, pair.sampler).measure(certificate, workers);
   return certificate;

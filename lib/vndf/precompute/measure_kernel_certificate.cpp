@@ -88,14 +88,15 @@ class FollowedCubic {
 };
 
 /// The root of sigma at the place of a draw and next to it, in double precision. It is the cubic
-/// over u1, followed by the map where the tables have one.
+/// over u1, followed by the map where the tables have one for the direction.
 class FollowedRoot {
  public:
-  FollowedRoot(const VndfTables& tables, const VndfDraw& draw)
-      : tables_(tables), draw_(draw), over_u_(tables, draw, 0) {}
+  FollowedRoot(const VndfTables& tables, const VndfDirection& direction, const VndfDraw& draw)
+      : tables_(tables), direction_(direction), draw_(draw), over_u_(tables, draw, 0) {}
 
   double at(const Probability<double>& u) const {
-    const double root = tables_.separable != 0 ? over_u_.at(u) : mapped(over_u_.at(u));
+    const bool is_root = tables_.separable != 0 || direction_.kind == kernel::kVndfBelow;
+    const double root = is_root ? over_u_.at(u) * double{direction_.edge} : mapped(over_u_.at(u));
     return std::clamp(root, double{tables_.least_root}, double{tables_.most_root});
   }
 
@@ -110,6 +111,7 @@ class FollowedRoot {
   }
 
   const VndfTables& tables_;
+  const VndfDirection& direction_;
   const VndfDraw& draw_;
   FollowedCubic over_u_;
 };
@@ -164,7 +166,7 @@ class MarginalRow final : public RowMap {
   Probability<double> smooth_cdf(const Probability<double>& u,
                                  const Probability<double>& place) const override {
     const VndfDraw drawn = draw(place);
-    const double root = FollowedRoot(tables_, drawn).at(u);
+    const double root = FollowedRoot(tables_, direction_, drawn).at(u);
     return cdf_of(root * root);
   }
 
@@ -279,13 +281,20 @@ struct MeasuredKernel {
   }
 };
 
-TableErrors marginal_errors(const MeasuredKernel& measured, const support::Workers& workers) {
+/// Measures rows at base coordinates from `first` to `first` + 1, and at more incidences.
+template <class Incidences, class Measures>
+TableErrors marginal_errors(const MeasuredKernel& measured, double first,
+                            const Incidences& incidences, Measures measures,
+                            const support::Workers& workers) {
   std::vector<MeasuredKernel::Direction> directions;
   for (const double row : off_grid_rows(kNominalSize, kMeasuredRows))
-    directions.push_back(measured.direction(marginal_base_inverse(row)));
-  for (const double degrees : kHardIncidences)
+    directions.push_back(measured.direction(marginal_base_inverse(first + row)));
+  for (const double degrees : incidences)
     directions.push_back({static_cast<float>(std::cos(degrees * kDegree)),
                           static_cast<float>(std::sin(degrees * kDegree))});
+  std::erase_if(directions, [&](const MeasuredKernel::Direction& w) {
+    return !measures(bounded_cotangent(double{w.z}, w.s * measured.slopes.mean_slope()));
+  });
   return measure_rows(directions.size(), workers,
                       [&](std::size_t i) { return measured.marginal_row(directions[i], i); });
 }
@@ -313,7 +322,12 @@ Certificate measure_certificate(const UnitSlopes& slopes, const Kernel& kernel,
   const VndfTables& tables = kernel.tables();
   const MeasuredKernel measured{slopes, tables, KernelUnits(tables, slopes.mean_slope())};
   Certificate certificate;
-  certificate.marginal = marginal_errors(measured, workers);
+  certificate.marginal = marginal_errors(
+      measured, 0, kHardIncidences, [](const auto&) { return true; }, workers);
+  if (tables.below.most_cotangent > 0)
+    certificate.below = marginal_errors(
+        measured, 1, kHardIncidencesBelow, [&](const auto& c) { return measures_below(slopes, c); },
+        workers);
   certificate.conditional = conditional_errors(measured, workers);
   FunctionErrors(slopes, kernel).measure(certificate, workers);
   return certificate;

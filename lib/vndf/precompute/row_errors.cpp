@@ -101,6 +101,11 @@ TableErrors measure_rows(std::size_t count, const support::Workers& workers,
   return combine(errors);
 }
 
+bool measures_below(const UnitSlopes& slopes, const BoundedSlope<double>& c) {
+  const double k = -c.slope();
+  return k < slopes.support() && slopes.backfacing(k).value >= kLeastArea * std::hypot(1, k);
+}
+
 bool measures_conditional(const UnitSlopes& slopes, double x, float sigma) {
   if (sigma == 0.5f && std::isinf(slopes.p22(0))) return false;
   // Single precision may round a slope next to the largest one to beyond it.

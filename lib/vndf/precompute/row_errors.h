@@ -67,6 +67,13 @@ inline constexpr std::size_t kMeasuredRows = 420;
 inline constexpr std::array<double, 9> kHardIncidences{0.0,  1e-7,  1e-3,   0.2, 0.3,
                                                        89.9, 89.99, 89.999, 90.0};
 
+/// The same below the horizon.
+inline constexpr std::array<double, 9> kHardIncidencesBelow{90.001, 90.01, 90.1, 91,   100,
+                                                            120,    150,   179,  179.9};
+
+/// Whether rows at the cotangent `c` < 0 are measured: at least kLeastArea is visible.
+bool measures_below(const UnitSlopes& slopes, const BoundedSlope<double>& c);
+
 /// Whether slope y is measured given the slope `x`, which a table keeps as `sigma` in single
 /// precision. It is unless less than 1e-9 of the partial moment lies beyond x, which no sampler
 /// reaches, or x is a pole of p22, where y has no distribution.

@@ -22,17 +22,24 @@ constexpr double kInsideSupport = 1 - 1e-8;
 // conditional table end there: random numbers in double precision end at 1e-16.
 constexpr double kNoMass = 1e-60;
 constexpr double kFarthestStep = 1e-3;  // of the search for that place, in asinh
+// From directions below the horizon of which less than this part of the surface is visible, the
+// marginal table has no rows of their own: it is a tenth of the smallest part for which errors are
+// measured.
+constexpr double kNoArea = 1e-13;
+constexpr double kFarthestBelow = 40;  // asinh of a slope at which kNoArea is passed by all tails
 
 using Probabilities = std::vector<Probability<double>>;
 
 std::vector<double> marginal_values(const UnitSlopes& slopes, const MonotoneMap& map, double base,
                                     const Probabilities& u) {
-  const MarginalDistribution visible(slopes, marginal_base_inverse(base));
+  const BoundedSlope<double> c = marginal_base_inverse(base);
+  const MarginalDistribution visible(slopes, c);
+  const double scale = marginal_scale(c);
   std::vector<double> values;
   double a = -1;
   for (const auto& p : u) {
     const double quantile = visible.quantile(p, a);
-    values.push_back(map.inverse(bounded_from_asinh(quantile).sigma));
+    values.push_back(map.inverse(bounded_from_asinh(quantile).sigma / scale));
     if (std::isfinite(quantile)) a = quantile;
   }
   return values;
@@ -62,6 +69,19 @@ double farthest_sampled(const UnitSlopes& slopes) {
   return a;
 }
 
+/// Returns asinh(|c|) of the lowest direction for which the marginal table has a row.
+double lowest_direction(const UnitSlopes& slopes) {
+  const auto visible = [&](double a) {
+    return slopes.backfacing(std::sinh(a)).value / std::cosh(a) > kNoArea;
+  };
+  double low = 0, high = std::min(kFarthestBelow, std::asinh(slopes.support()));
+  while (high - low > kFarthestStep) {
+    const double middle = (low + high) / 2;
+    (visible(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
 }  // namespace
 
 RowSource marginal_rows(const UnitSlopes& slopes, const MonotoneMap& map) {
@@ -71,6 +91,20 @@ RowSource marginal_rows(const UnitSlopes& slopes, const MonotoneMap& map) {
                    marginal_column_inverse<double>};
   for (const double r : slopes.distribution().breaks())
     source.breaks.push_back(marginal_base(bounded_from_slope(r / slopes.mean_slope())));
+  std::sort(source.breaks.begin(), source.breaks.end());
+  return source;
+}
+
+RowSource marginal_rows_below(const UnitSlopes& slopes, const MonotoneMap& map) {
+  RowSource source{[&slopes, &map](double base, const Probabilities& u) {
+                     return marginal_values(slopes, map, 1 + base, u);
+                   },
+                   marginal_column_inverse<double>};
+  source.end = marginal_base(mirrored(bounded_from_asinh(lowest_direction(slopes)))) - 1;
+  for (const double r : slopes.distribution().breaks()) {
+    const double base = marginal_base(bounded_from_slope(-r / slopes.mean_slope())) - 1;
+    if (base < source.end) source.breaks.push_back(base);
+  }
   std::sort(source.breaks.begin(), source.breaks.end());
   return source;
 }

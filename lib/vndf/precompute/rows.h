@@ -24,9 +24,13 @@ struct RowSource {
   std::vector<double> breaks = {};
 };
 
-/// Rows of the marginal table, whose values go through `map` (marginal_map.h). Both arguments must
-/// outlive the result.
+/// Rows of the marginal table for directions above the horizon, whose values go through `map`
+/// (marginal_map.h). Both arguments must outlive the result.
 RowSource marginal_rows(const UnitSlopes& slopes, const MonotoneMap& map);
+
+/// Rows of the marginal table for directions below the horizon, at base coordinates less 1: from
+/// grazing incidence to the last direction that sees a part of 1e-13 of the surface.
+RowSource marginal_rows_below(const UnitSlopes& slopes, const MonotoneMap& map);
 
 /// Rows of the conditional table, whose slopes y are in units of `scale`. Both arguments must
 /// outlive the result.
