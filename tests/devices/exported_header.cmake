@@ -44,7 +44,9 @@ endforeach()
 
 find_program(NVCC nvcc)
 if(NVCC)
-  run(${PROGRAM} export ggx.vndf --as cuda -o ggx.cuh)
+  # A block of threads has 48 KiB of shared memory.
+  run(${PROGRAM} build ggx --size 128 --tolerance 1e-4 --above-only -o above.vndf --quiet)
+  run(${PROGRAM} export above.vndf --as cuda --name ggx -o ggx.cuh)
   run(${NVCC} -O3 -Xptxas -v -I ${WORK} -c ${SOURCES}/cuda_header.cu -o cuda_header.o)
 else()
   message("skipped for CUDA: there is no nvcc")
