@@ -9,8 +9,8 @@
 // 1e-4 to 10 at ratios up to 1:1000; any u is moved into [2^-25, 1 - 2^-24]. For an input outside
 // its range (alpha <= 0, a component that is not a number) each function returns the fallback that
 // it states; no function allocates or throws. wi may be any direction, also below the horizon, as a
-// walk inside the microsurface needs it. How far the sampled
-// distribution is from the exact one is in the certificate of its tables (certificate.h).
+// walk inside the microsurface needs it. How far the sampled distribution is from the exact one is
+// in the certificate of its tables (certificate.h).
 #pragma once
 
 #include <optional>

@@ -132,6 +132,15 @@ TEST_CASE("the tables of another distribution, and tables with one wrong number,
   CHECK(failures(Kernel(wrong), vectors) > 250);
 }
 
+TEST_CASE("the name of a distribution stays in its line of the CSV") {
+  const KernelTables tables = tables_of("ggx").with_text({.distribution = "two\nlines"});
+  std::istringstream lines(golden_csv(tables, {}));
+  std::string line;
+  while (std::getline(lines, line) && line.starts_with("#")) {
+  }
+  CHECK(line.starts_with("wi_x,"));
+}
+
 TEST_CASE("the numbers of the CSV are the vectors, to the last bit") {
   const KernelTables tables = tables_of("ggx");
   const auto vectors = golden_vectors(tables.kernel(), 200);

@@ -100,6 +100,7 @@ TEST_CASE("what export cannot do is refused, and nothing is written") {
   check_refusal(folder, "export ggx.vndf -o a.h --as header --max-bytes 100000", 2,
                 "is baked already");
   check_refusal(folder, "export ggx.h5 -o a.h --as header --max-bytes 100", 1, "bytes");
+  check_refusal(folder, "export 2x.h5 -o a.h --as header", 2, "'2x'");  // before it is read
   check_refusal(folder, "export none.vndf -o a.h --as header", 1, "none.vndf");
   check_refusal(folder, "export ggx.vndf -o none/a.h --as header", 1, "none");
   check_refusal(folder, "export ggx.vndf -o ggx.vndf --as bytes", 1, "it is also read");

@@ -52,9 +52,14 @@ KernelTables baked_tables(const Arguments& a, const std::string& command_line) {
 }
 
 /// What the tables are called in the source: --name, or the name of the file without its extension
-/// and with underscores for what is no letter and no digit.
+/// and with underscores for what is no letter and no digit. Throws CLI::ValidationError where that
+/// is no name.
 std::string name_of(const Arguments& a) {
-  if (!a.name.empty()) return a.name;
+  if (!a.name.empty()) {
+    if (const auto broken = devices::check_name(a.name))
+      throw CLI::ValidationError("--name", *broken);
+    return a.name;
+  }
   std::string name = std::filesystem::path(a.input).stem().string();
   for (char& c : name)
     if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
@@ -102,11 +107,10 @@ void require_usage(const Arguments& a) {
     throw CLI::ValidationError("--as", "says what to write; give it, or --vectors");
   if (!a.place.empty() && !shading_language(a.form))
     throw CLI::ValidationError("--tables", "is for glsl, hlsl and metal: leave it out");
-  if (a.name.empty()) return;
-  if (a.form.empty() || a.form == "bytes")
+  const bool is_source = !a.form.empty() && a.form != "bytes";
+  if (!a.name.empty() && !is_source)
     throw CLI::ValidationError("--name", "is for sources: leave it out");
-  if (const auto broken = devices::check_name(a.name))
-    throw CLI::ValidationError("--name", *broken);
+  if (is_source) name_of(a);  // before a pair is baked, which takes long
 }
 
 void export_tables(const Arguments& a, const std::string& command_line) {

@@ -1,11 +1,10 @@
 // A rough surface as a BSDF sees it: a sampler of normals, a surface (or its roughness alone, if it
-// is flat) and a masking model. Above and below are told by the mean facet. Heitz
-// and d'Eon 2014 sample a BSDF in two ways, which differ only here: Algorithm 2 draws visible
-// normals, and Algorithm 1 draws all normals and weights them by how visible they are.
+// is flat) and a masking model. Above and below are told by the mean facet. Heitz and d'Eon 2014
+// sample a BSDF in two ways, which differ only here: Algorithm 2 draws visible normals, and
+// Algorithm 1 draws all normals and weights them by how visible they are.
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 
 #include "vndf/bsdf/masking.h"
 #include "vndf/bsdf/normal_sampler.h"
@@ -44,7 +43,7 @@ class Microsurface {
 
   /// Whether `w` and the mean facet see the same side of the facet `wm`.
   bool sees(const Vec3<T>& w, const Vec3<T>& wm) const noexcept {
-    return dot(w, wm) * std::copysign(T(1), height(w)) > T(0);
+    return sees_facet(on_.direction(w), on_.normal(wm).unit);
   }
 
   /// D_wi(wm) = (G1(wi, wm) / wi.z) (wi.wm)+ D(wm) (equation 2), finite up to the horizon; 0 below

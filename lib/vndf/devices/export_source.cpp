@@ -2,7 +2,6 @@
 #include "vndf/devices/export_source.h"
 
 #include <algorithm>
-#include <cctype>
 
 #include "vndf/devices/amalgamate.h"
 #include "vndf/devices/table_text.h"

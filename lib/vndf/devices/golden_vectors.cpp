@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <random>
 
+#include "vndf/devices/printed.h"
+#include "vndf/devices/table_text.h"
 #include "vndf/version.h"
 
 namespace vndf::devices {
@@ -135,13 +136,6 @@ KernelTolerance tolerance_of(const Kernel& kernel, const KernelInput& input,
   return largest;
 }
 
-template <class... Values>
-void print(std::string& text, const char* format, Values... values) {
-  std::array<char, 512> line{};
-  std::snprintf(line.data(), line.size(), format, values...);
-  text += line.data();
-}
-
 }  // namespace
 
 std::vector<KernelInput> golden_inputs(std::size_t count) {
@@ -180,7 +174,8 @@ const char* first_difference(const GoldenVector& golden, const KernelOutput& out
 }
 
 std::string golden_csv(const KernelTables& tables, const std::vector<GoldenVector>& vectors) {
-  std::string text = "# Golden vectors of the kernel of " + tables.text().distribution +
+  std::string text = "# Golden vectors of the kernel of " +
+                     on_one_line(tables.text().distribution) +
                      ", exported by vndf " VNDF_VERSION R"(.
 # A port must give each result to its tolerance, which is in the column behind it. wm is what
 # sampling gives for wi, alpha and u, and wm_tolerance the largest distance from it; density is that
@@ -193,11 +188,11 @@ wi_x,wi_y,wi_z,alpha_x,alpha_y,u1,u2,wm_x,wm_y,wm_z,wm_tolerance)";
   for (const auto& [input, output, tolerance] : vectors) {
     for (const float value : {input.wi.x, input.wi.y, input.wi.z, input.alpha.x, input.alpha.y,
                               input.u1, input.u2, output.wm.x, output.wm.y, output.wm.z})
-      print(text, "%.9g,", static_cast<double>(value));
-    print(text, "%.2g", static_cast<double>(tolerance.wm));
+      text += printed("%.9g,", static_cast<double>(value));
+    text += printed("%.2g", static_cast<double>(tolerance.wm));
     for (const Result& result : kResults)
-      print(text, ",%.9g,%.2g", static_cast<double>(output.*result.value),
-            static_cast<double>(tolerance.*result.tolerance));
+      text += printed(",%.9g,%.2g", static_cast<double>(output.*result.value),
+                      static_cast<double>(tolerance.*result.tolerance));
     text += "\n";
   }
   return text;

@@ -1,22 +1,16 @@
 // Writes the numbers of tables so that every bit of them arrives.
 #include "vndf/devices/table_text.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdio>
 #include <cstring>
 
+#include "vndf/devices/printed.h"
 #include "vndf/version.h"
 
 namespace vndf::devices {
 namespace {
-
-template <class... Values>
-std::string printed(const char* format, Values... values) {
-  std::array<char, 160> text{};
-  std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
-}
 
 std::string statement(const char* name, float value) {
   return printed("  t.%s = float_of(0x%08xu);  // %.9g\n", name, kernel::bits_of(value),
@@ -28,14 +22,6 @@ std::string statement(const char* name, std::uint32_t value) {
 }
 
 constexpr std::size_t kWordBytes = 16, kWordNumbers = 4;
-
-/// `text` as one line of a comment.
-std::string on_one_line(std::string text) {
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\\')) text.pop_back();
-  return text;
-}
 
 }  // namespace
 
@@ -82,6 +68,13 @@ std::string number_statements(const kernel::VndfTables& t) {
   add("below.slope_most", t.below.slope_most);
   // A number that is added to the struct must be added here.
   static_assert(sizeof t == 38 * sizeof(float) + sizeof t.block);
+  return text;
+}
+
+std::string on_one_line(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\\')) text.pop_back();
   return text;
 }
 

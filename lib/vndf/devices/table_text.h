@@ -19,6 +19,9 @@ std::string word_list(const KernelTables& tables, std::string_view open, std::st
 /// How many words of 16 bytes the block of `tables` has; the last is filled with zeros.
 std::size_t word_count(const KernelTables& tables);
 
+/// `text` as one line of a comment, which it cannot end or continue.
+std::string on_one_line(std::string text);
+
 /// What the tables are, as lines of a comment: distribution, specification, largest u-errors.
 std::string about(const KernelTables& tables);
 
