@@ -50,6 +50,24 @@ CLI::Validator number_between(double lowest, double highest) {
   return {rule, ""};
 }
 
+CLI::Validator number_inside(double lowest, double highest) {
+  const auto rule = [=](const std::string& text) -> std::string {
+    double number = 0;
+    if (parse(text, number) && number > lowest && number < highest) return {};
+    return fmt::format("'{}' is not a number inside ({:g}, {:g})", text, lowest, highest);
+  };
+  return {rule, ""};
+}
+
+CLI::Validator finite_number() {
+  const auto rule = [](const std::string& text) -> std::string {
+    double number = 0;
+    if (parse(text, number) && std::isfinite(number)) return {};
+    return fmt::format("'{}' is not a finite number", text);
+  };
+  return {rule, ""};
+}
+
 void exclude_others(CLI::App& command, CLI::Option* flag) {
   for (CLI::Option* option : command.get_options())
     if (option != flag && option != command.get_help_ptr()) flag->excludes(option);

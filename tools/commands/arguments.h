@@ -18,6 +18,12 @@ CLI::Validator positive_number();
 /// A number from `lowest` to `highest`.
 CLI::Validator number_between(double lowest, double highest);
 
+/// A number between `lowest` and `highest`, neither of which it is.
+CLI::Validator number_inside(double lowest, double highest);
+
+/// A finite number.
+CLI::Validator finite_number();
+
 /// Makes `flag` exclude every other option of the command but --help: one that would be ignored
 /// beside it is wrong usage.
 void exclude_others(CLI::App& command, CLI::Option* flag);
