@@ -27,37 +27,46 @@ namespace kernel {
 
 class Kernel;
 
-/// A kernel after step 1 of Algorithm 4, which depends on the direction and roughness alone, for
-/// many normals seen from one direction: at(wi, alpha).sample(u1, u2) is Kernel::sample(wi, alpha,
-/// u1, u2) bit for bit.
+/// A kernel after step 1 of Algorithm 4, which depends on the direction and the surface alone, for
+/// many normals seen from one direction: at(wi, surface).sample(u1, u2) is Kernel::sample(wi,
+/// surface, u1, u2) bit for bit.
 class KernelDirection {
  public:
   /// Draws a normal, as Kernel::sample() does.
   VNDF_DEVICE Vec3<float> sample(float u1, float u2) const noexcept {
-    return kernel::vndf_sample(tables_, direction_, u1, u2);
+    const Vec3<float> m = kernel::vndf_drawn(tables_, direction_, u1, u2);
+    return kernel::vndf_unit_or_up(is_flat_ ? m : surface_.tilted_normal(m));
   }
   /// Draws a normal with its density, as Kernel::sample_with_density() does.
   VNDF_DEVICE SampledNormal<float> sample_with_density(float u1, float u2) const noexcept {
     const auto sampled = kernel::vndf_sample_with_density(tables_, direction_, u1, u2);
-    return {sampled.wm, sampled.pdf};
+    return surface_.tilted({sampled.wm, sampled.pdf});
   }
 
-  /// What batches and other languages need of it: arguments of vndf_sample().
+  /// What batches and other languages need of it: arguments of vndf_sample(), and the surface that
+  /// tilts its normals.
   struct View {
     const kernel::VndfTables& tables;
     const kernel::VndfDirection& direction;
+    const RoughSurface<float>& surface;
   };
-  VNDF_DEVICE View view() const { return {tables_, direction_}; }
+  VNDF_DEVICE View view() const { return {tables_, direction_, surface_}; }
 
  private:
   friend class Kernel;
   VNDF_DEVICE KernelDirection(const kernel::VndfTables& tables, const Vec3<float>& wi,
-                              const Alpha<float>& alpha) noexcept
-      : tables_(tables), direction_(kernel::vndf_at(tables, wi, alpha.x, alpha.y)) {}
+                              const RoughSurface<float>& surface) noexcept
+      : tables_(tables),
+        direction_(kernel::vndf_at(tables, surface.is_flat() ? wi : surface.flattened_direction(wi),
+                                   surface.alpha().x, surface.alpha().y)),
+        surface_(surface),
+        is_flat_(surface.is_flat()) {}
 
   // A copy, because normals that are written might change what a reference refers to.
   kernel::VndfTables tables_;
   kernel::VndfDirection direction_;
+  RoughSurface<float> surface_;
+  bool is_flat_;
 };
 
 class Kernel {
@@ -75,7 +84,12 @@ class Kernel {
   /// Step 1: the direction `wi`, stretched, from which many normals can be drawn. Any input is
   /// accepted; the functions of the result then return their fallbacks.
   VNDF_DEVICE KernelDirection at(const Vec3<float>& wi, const Alpha<float>& alpha) const noexcept {
-    return {tables_, wi, alpha};
+    return at(wi, RoughSurface<float>(alpha));
+  }
+  /// The same for a surface with correlated slopes or a mean slope (rough_surface.h).
+  VNDF_DEVICE KernelDirection at(const Vec3<float>& wi,
+                                 const RoughSurface<float>& surface) const noexcept {
+    return {tables_, wi, surface};
   }
 
   /// Draws a normal visible from `wi`. slope_x increases with u1 and slope_y with u2 in
@@ -91,13 +105,14 @@ class Kernel {
     return kernel::vndf_sample_towards(tables_, wi, alpha.x, alpha.y, u1, u2);
   }
 
-  /// The same for a surface with correlated slopes or a mean slope, which OnSurface
-  /// (bsdf/on_surface.h) calls. A surface that is flat has the normals of its alpha, to rounding.
+  /// The same for a surface with correlated slopes or a mean slope; OnSurface (on_surface.h) has
+  /// the other functions for it. A surface that is flat has the normals of its alpha, to rounding.
   VNDF_DEVICE Vec3<float> sample(const Vec3<float>& wi, const RoughSurface<float>& surface,
                                  float u1, float u2) const noexcept {
-    const kernel::VndfDirection w = kernel::vndf_at(tables_, surface.flattened_direction(wi),
-                                                    surface.alpha().x, surface.alpha().y);
-    return kernel::vndf_unit_or_up(surface.tilted_normal(kernel::vndf_drawn(tables_, w, u1, u2)));
+    const Alpha<float>& alpha = surface.alpha();
+    const Vec3<float> w = surface.flattened_direction(wi);
+    const Vec3<float> m = kernel::vndf_drawn_towards(tables_, w, alpha.x, alpha.y, u1, u2);
+    return kernel::vndf_unit_or_up(surface.tilted_normal(m));
   }
 
   /// The normal of sample() with the density that the map has there, the reciprocal of its

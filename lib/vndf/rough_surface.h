@@ -18,6 +18,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 #include "vndf/vec.h"
 
@@ -86,6 +87,17 @@ class RoughSurface {
   /// S m: inverse of flattened_normal().
   VNDF_DEVICE Vec3<T> tilted_normal(const Vec3<T>& m) const noexcept {
     return {m.x - mean_.x * m.z, m.y + shear_ * m.x - mean_.y * m.z, m.z};
+  }
+
+  /// A unit normal of the flat surface that was drawn with its density, on this surface.
+  VNDF_DEVICE SampledNormal<T> tilted(const SampledNormal<T>& flat) const noexcept {
+    // The density 0 says that the input was outside its range, and the normal is a fallback.
+    if (is_flat() || !(flat.pdf > T(0))) return flat;
+    const Vec3<T> m = tilted_normal(flat.wm);
+    const T length = std::sqrt(m.x * m.x + m.y * m.y + m.z * m.z), scale = T(1) / length;
+    const T pdf = flat.pdf * length * length * length;
+    constexpr T kLargest = std::numeric_limits<T>::max();
+    return {{m.x * scale, m.y * scale, m.z * scale}, pdf < kLargest ? pdf : kLargest};
   }
 
   /// The area that the mean facet shows to w for each unit of area of the surface: w.z where the

@@ -236,6 +236,45 @@ TEST_CASE("a batch of one direction draws what the direction draws, to the last 
   });
 }
 
+/// Surfaces with correlated slopes, with a mean slope, and with all of it.
+const std::vector<RoughSurface<float>> kSurfaces{
+    RoughSurface<float>::correlated({0.25f, 0.5f}, -0.95f),
+    RoughSurface<float>::correlated({0.3f, 0.3f}, 0, {0.7f, -0.4f}),
+    RoughSurface<float>::correlated({0.1f, 1}, 0.5f, {2, 1}),
+    RoughSurface<float>::correlated({kNan, 1}, 0.5f, {2, 1})};
+
+TEST_CASE("a batch on a surface draws what the scalar kernel draws there, to the last bit") {
+  BatchArrays batch = hard_batch(2000);
+  for (const auto& wi : kDirections)
+    for (const float u : kNumbers) batch.add(wi, {1, 1}, u, 0.3f);
+  for_each_kernel([&](const Kernel& kernel) {
+    for (const RoughSurface<float>& surface : kSurfaces) {
+      sample_batch(kernel, batch.wi(), surface, batch.u1, batch.u2, batch.wm());
+      std::size_t different = 0;
+      for (std::size_t i = 0; i < batch.size(); ++i) {
+        const auto wm = kernel.sample(batch.wi(i), surface, batch.u1[i], batch.u2[i]);
+        if (!same_bits(batch.normal(i), wm)) ++different;
+      }
+      CHECK(different == 0);
+    }
+  });
+}
+
+TEST_CASE("a batch of one direction on a surface draws what the direction draws") {
+  BatchArrays batch = hard_batch(150);
+  for_each_kernel([&](const Kernel& kernel) {
+    for (const RoughSurface<float>& surface : kSurfaces)
+      for (const auto& wi : kDirections) {
+        const KernelDirection at = kernel.at(wi, surface);
+        sample_batch(at, batch.u1, batch.u2, batch.wm());
+        std::size_t different = 0;
+        for (std::size_t i = 0; i < batch.size(); ++i)
+          if (!same_bits(batch.normal(i), at.sample(batch.u1[i], batch.u2[i]))) ++different;
+        CHECK(different == 0);
+      }
+  });
+}
+
 TEST_CASE("spans that differ in size are named in an error") {
   const KernelTables& tables = baked_tables(kMixture);
   const std::vector<std::pair<std::string, std::vector<float> BatchArrays::*>> spans{

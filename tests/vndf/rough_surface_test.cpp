@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -196,6 +197,82 @@ TEST_CASE("a kernel draws on a surface what the shear makes of its normals, to r
     const Vec3<float> sheared = normalize_or_up(surface.tilted_normal(flat));
     CHECK(std::hypot(drawn.x - sheared.x, drawn.y - sheared.y, drawn.z - sheared.z) < 3e-6f);
     CHECK(std::abs(dot(drawn, drawn) - 1) <= 2 * kLengthSlack<float>);
+  }
+}
+
+namespace {
+
+/// Largest difference of one normal by two orders of the same steps: some roundings, which means
+/// and shears of up to 2 multiply.
+template <class T>
+constexpr double kSurfaceRounding = 32 * std::numeric_limits<T>::epsilon();
+
+/// Draws on `surface` with its density and goes back.
+template <class Sampler>
+void check_map_on(const Sampler& sampler, const RoughSurface<typename Sampler::Scalar>& surface,
+                  double table_error) {
+  using T = typename Sampler::Scalar;
+  const OnSurface on(sampler, surface);
+  RandomInputs random(10);
+  for (int i = 0; i < 300; ++i) {
+    const Vec3<double> w = random_direction(random, 180);
+    const Vec3<T> wi{static_cast<T>(w.x), static_cast<T>(w.y), static_cast<T>(w.z)};
+    // Far in the tail below the horizon a table in single precision knows the density less well.
+    if (on.visible_area(wi) < T(1e-3)) continue;
+    const T u1 = static_cast<T>(0.02 + 0.96 * random.uniform()),
+            u2 = static_cast<T>(0.02 + 0.96 * random.uniform());
+    const auto [wm, density] = on.sample_with_density(wi, u1, u2);
+    const Vec3<T> same = on.sample(wi, u1, u2);
+    CAPTURE(i, wi.x, wi.y, wi.z, u1, u2);
+    CHECK(std::hypot(wm.x - same.x, wm.y - same.y, wm.z - same.z) < kSurfaceRounding<T>);
+    CHECK(close(density, on.pdf(wi, wm), table_error));
+    const auto back = on.invert(wi, wm);
+    REQUIRE(back);
+    CHECK(std::hypot(back->x - u1, back->y - u2) < 4 * kInverseError<T>);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a normal of a surface has the density there, and gives its random numbers back") {
+  const KernelTables tables = bake(*large_tables("beckmann").tables, {.tolerance = 1e-5});
+  for (const Covariance& c : kCovariances) {
+    // The density of the map is a derivative of tables, which is known less well than u.
+    check_map_on(beckmann(), surface_of(c), 1e-3);
+    check_map_on(tables.kernel(),
+                 RoughSurface<float>::from_covariance(
+                     static_cast<float>(c.xx), static_cast<float>(c.xy), static_cast<float>(c.yy),
+                     {static_cast<float>(c.mean.x), static_cast<float>(c.mean.y)}),
+                 2e-2);
+  }
+}
+
+TEST_CASE("a direction on a surface draws what its kernel draws there, to the last bit") {
+  const KernelTables tables = bake(*small_tables("ggx").tables, {.tolerance = 1e-4});
+  const Kernel kernel = tables.kernel();
+  const auto surface = RoughSurface<float>::correlated({0.3f, 0.6f}, 0.5f, {0.7f, -0.4f});
+  RandomInputs random(11);
+  for (int i = 0; i < 500; ++i) {
+    const Vec3<double> w = random_direction(random, 180);
+    const Vec3<float> wi{static_cast<float>(w.x), static_cast<float>(w.y), static_cast<float>(w.z)};
+    const float u1 = static_cast<float>(random.uniform()),
+                u2 = static_cast<float>(random.uniform());
+    const Vec3<float> a = OnSurface(kernel, surface).at(wi).sample(u1, u2);
+    const Vec3<float> b = kernel.sample(wi, surface, u1, u2);
+    CHECK((a.x == b.x && a.y == b.y && a.z == b.z));
+  }
+}
+
+TEST_CASE("the visible area of a surface is that of its facets, on either side of it") {
+  RandomInputs random(12);
+  for (const Covariance& c : kCovariances) {
+    const OnSurface on(beckmann(), surface_of(c));
+    for (int i = 0; i < 10; ++i) {
+      const Vec3<double> w = random_direction(random, 180);
+      const double area = over_hemisphere(
+          [&](const Vec3<double>& m) { return std::max(0.0, dot(w, m)) * on.d(m); }, 800);
+      CHECK(std::abs(on.visible_area(w) - area) < 1e-4 * (1e-3 + area));
+    }
   }
 }
 

@@ -15,11 +15,12 @@ struct DirectionInputs {
   Input x, y, z, alpha_x, alpha_y;
 };
 
-/// The random numbers and the results.
+/// The random numbers and the results, which are normals of `surface`.
 struct Samples {
   std::size_t size;
   Input u1, u2;
   Output x, y, z;
+  RoughSurface<float> surface = Alpha<float>{1, 1};
 };
 
 /// The directions of a block: kernel::VndfDirection as arrays. Those below the horizon, which have
@@ -66,7 +67,7 @@ void stretch_each(const kernel::VndfTables& tables, const DirectionBlock& inputs
 /// Steps 2 to 5 of those samples of a block, of `n`, that are below the horizon, by the scalar
 /// kernel.
 void sample_each_below(const kernel::VndfTables& tables, const Directions& directions,
-                       std::size_t n, const float* u1, const float* u2, float* x, float* y,
-                       float* z);
+                       const RoughSurface<float>& surface, std::size_t n, const float* u1,
+                       const float* u2, float* x, float* y, float* z);
 
 }  // namespace vndf::batch

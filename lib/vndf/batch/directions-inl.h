@@ -21,6 +21,26 @@ HWY_BEFORE_NAMESPACE();
 namespace vndf::batch::HWY_NAMESPACE {
 namespace {
 
+/// Directions to the flat surface, of any length.
+struct FlattenedBlock {
+  Lanes<float> x, y, z;
+};
+
+/// RoughSurface::flattened_direction() for a block, which is kept in `flat`.
+HWY_INLINE DirectionBlock flatten(const RoughSurface<float>& surface, const DirectionBlock& in,
+                                  FlattenedBlock& flat) {
+  const V shear = set(surface.shear());
+  const V mean_x = set(surface.mean().x), mean_y = set(surface.mean().y);
+  for (std::size_t i = 0; i < kBlock; i += hn::Lanes(d)) {
+    const V x = hn::LoadU(d, in.x + i), y = hn::LoadU(d, in.y + i);
+    store(hn::Add(x, hn::Mul(shear, y)), flat.x, i);
+    store(y, flat.y, i);
+    store(hn::Sub(hn::Sub(hn::LoadU(d, in.z + i), hn::Mul(mean_x, x)), hn::Mul(mean_y, y)), flat.z,
+          i);
+  }
+  return {flat.x.data(), flat.y.data(), flat.z.data(), in.alpha_x, in.alpha_y};
+}
+
 /// kernel::vndf_at for `n` samples.
 HWY_INLINE void stretch(const kernel::VndfTables& t, const DirectionBlock& in, std::size_t n,
                         Directions& out) {

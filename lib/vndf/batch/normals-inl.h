@@ -28,7 +28,8 @@ namespace {
 /// waits for a table or a root then has the next samples at hand.
 class Sampling {
  public:
-  Sampling(const kernel::VndfTables& tables, Samples& samples) : t_(tables), samples_(samples) {}
+  Sampling(const kernel::VndfTables& tables, Samples& samples)
+      : t_(tables), samples_(samples), is_flat_(samples.surface.is_flat()) {}
 
   /// The normals of the block that begins at sample `begin`.
   void block(std::size_t begin, const Directions& directions) {
@@ -48,7 +49,8 @@ class Sampling {
     // 3. rotate, 4. unstretch, 5. compute the normal
     float *x = samples_.x.block(begin), *y = samples_.y.block(begin), *z = samples_.z.block(begin);
     write_normals(directions, n, x, y, z);
-    if (directions.below != 0) sample_each_below(t_, directions, n, u1, u2, x, y, z);
+    if (directions.below != 0)
+      sample_each_below(t_, directions, samples_.surface, n, u1, u2, x, y, z);
     samples_.x.finish(begin);
     samples_.y.finish(begin);
     samples_.z.finish(begin);
@@ -166,7 +168,15 @@ class Sampling {
                         hn::Mul(set(t_.scale_constant), denominator));
   }
 
-  /// kernel::vndf_unstretched and kernel::vndf_unit_or_up.
+  /// RoughSurface::tilted_normal().
+  HWY_INLINE void tilt(V& x, V& y, V z) const {
+    const RoughSurface<float>& surface = samples_.surface;
+    const V mean_x = set(surface.mean().x), mean_y = set(surface.mean().y);
+    y = hn::Sub(hn::Add(y, hn::Mul(set(surface.shear()), x)), hn::Mul(mean_y, z));
+    x = hn::Sub(x, hn::Mul(mean_x, z));
+  }
+
+  /// kernel::vndf_unstretched, RoughSurface::tilted_normal() and kernel::vndf_unit_or_up.
   HWY_INLINE void write_normals(const Directions& w, std::size_t n, float* out_x, float* out_y,
                                 float* out_z) const {
     for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
@@ -177,9 +187,10 @@ class Sampling {
                           hn::Neg(hn::Mul(denominator, load(w.z, i))));
       const V y = hn::Mul(hn::Mul(scale(sigma, denominator), load(v_, i)), hu);
       const V wx = load(w.x, i), wy = load(w.y, i);
-      const V m_x = hn::Mul(load(w.alpha_x, i), hn::Add(hn::Mul(wx, x), hn::Mul(wy, y)));
-      const V m_y = hn::Mul(load(w.alpha_y, i), hn::Sub(hn::Mul(wy, x), hn::Mul(wx, y)));
+      V m_x = hn::Mul(load(w.alpha_x, i), hn::Add(hn::Mul(wx, x), hn::Mul(wy, y)));
+      V m_y = hn::Mul(load(w.alpha_y, i), hn::Sub(hn::Mul(wy, x), hn::Mul(wx, y)));
       const V m_z = hn::Mul(denominator, load(w.h2, i));
+      if (!is_flat_) tilt(m_x, m_y, m_z);
       const V square = hn::Add(hn::Add(hn::Mul(m_x, m_x), hn::Mul(m_y, m_y)), hn::Mul(m_z, m_z));
       const V inverse = hn::Div(one, hn::Sqrt(square));
       const auto is_normal = within(square, kernel::kVndfLeast, kernel::kVndfLargest);
@@ -191,6 +202,7 @@ class Sampling {
 
   const kernel::VndfTables& t_;
   Samples& samples_;
+  bool is_flat_;
   Cells marginal_, map_, conditional_;
   Lanes<std::uint32_t> signs_, slope_entry_;
   Lanes<float> slope_;  // place on the axis of slopes

@@ -24,9 +24,11 @@ void sample_directions(const kernel::VndfTables& tables, DirectionInputs& inputs
                        Samples& samples) {
   Sampling sampling(tables, samples);
   Directions directions;
+  FlattenedBlock flattened;
   for (std::size_t begin = 0; begin < samples.size; begin += kBlock) {
-    const DirectionBlock block{inputs.x.block(begin), inputs.y.block(begin), inputs.z.block(begin),
-                               inputs.alpha_x.block(begin), inputs.alpha_y.block(begin)};
+    DirectionBlock block{inputs.x.block(begin), inputs.y.block(begin), inputs.z.block(begin),
+                         inputs.alpha_x.block(begin), inputs.alpha_y.block(begin)};
+    if (!samples.surface.is_flat()) block = flatten(samples.surface, block, flattened);
     stretch(tables, block, block_size(begin, samples.size), directions);
     sampling.block(begin, directions);
   }
@@ -57,11 +59,13 @@ void stretch_each(const kernel::VndfTables& tables, const DirectionBlock& inputs
 }
 
 void sample_each_below(const kernel::VndfTables& tables, const Directions& directions,
-                       std::size_t n, const float* u1, const float* u2, float* x, float* y,
-                       float* z) {
+                       const RoughSurface<float>& surface, std::size_t n, const float* u1,
+                       const float* u2, float* x, float* y, float* z) {
   for (std::size_t i = 0; i < n; ++i) {
     if ((directions.below >> i & 1) == 0) continue;
-    const Vec3<float> wm = kernel::vndf_sample(tables, directions.lower[i], u1[i], u2[i]);
+    const Vec3<float> m = kernel::vndf_drawn(tables, directions.lower[i], u1[i], u2[i]);
+    const Vec3<float> wm =
+        kernel::vndf_unit_or_up(surface.is_flat() ? m : surface.tilted_normal(m));
     x[i] = wm.x;
     y[i] = wm.y;
     z[i] = wm.z;
@@ -110,11 +114,14 @@ void sample_batch(const Kernel& kernel, const DirectionSpans& wi, const AlphaSpa
   HWY_DYNAMIC_DISPATCH(sample_directions)(kernel.tables(), inputs, samples);
 }
 
-void sample_batch(const Kernel& kernel, const DirectionSpans& wi, const Alpha<float>& alpha,
-                  std::span<const float> u1, std::span<const float> u2, const NormalSpans& wm) {
+void sample_batch(const Kernel& kernel, const DirectionSpans& wi,
+                  const RoughSurface<float>& surface, std::span<const float> u1,
+                  std::span<const float> u2, const NormalSpans& wm) {
   using namespace batch;
   Samples samples = samples_of(u1, u2, wm);
   check_size(wi, samples.size);
+  samples.surface = surface;
+  const Alpha<float>& alpha = surface.alpha();
   DirectionInputs inputs{Input(wi.x), Input(wi.y), Input(wi.z), Input(alpha.x), Input(alpha.y)};
   HWY_DYNAMIC_DISPATCH(sample_directions)(kernel.tables(), inputs, samples);
 }
@@ -123,7 +130,8 @@ void sample_batch(const KernelDirection& direction, std::span<const float> u1,
                   std::span<const float> u2, const NormalSpans& wm) {
   using namespace batch;
   Samples samples = samples_of(u1, u2, wm);
-  const auto [tables, stretched] = direction.view();
+  const auto [tables, stretched, surface] = direction.view();
+  samples.surface = surface;
   HWY_DYNAMIC_DISPATCH(sample_direction)(tables, stretched, samples);
 }
 

@@ -19,11 +19,13 @@ namespace vndf {
 void sample_batch(const Kernel& kernel, const DirectionSpans& wi, const AlphaSpans& alpha,
                   std::span<const float> u1, std::span<const float> u2, const NormalSpans& wm);
 
-/// The same with one roughness for all.
-void sample_batch(const Kernel& kernel, const DirectionSpans& wi, const Alpha<float>& alpha,
-                  std::span<const float> u1, std::span<const float> u2, const NormalSpans& wm);
+/// The same with one surface for all, which is a roughness alone or one with correlated slopes or a
+/// mean slope (rough_surface.h).
+void sample_batch(const Kernel& kernel, const DirectionSpans& wi,
+                  const RoughSurface<float>& surface, std::span<const float> u1,
+                  std::span<const float> u2, const NormalSpans& wm);
 
-/// The same with one incident direction and roughness for all, whose setup is already done.
+/// The same with one incident direction and surface for all, whose setup is already done.
 void sample_batch(const KernelDirection& direction, std::span<const float> u1,
                   std::span<const float> u2, const NormalSpans& wm);
 

@@ -8,7 +8,7 @@
 
 #include "vndf/bsdf/masking.h"
 #include "vndf/bsdf/normal_sampler.h"
-#include "vndf/bsdf/on_surface.h"
+#include "vndf/on_surface.h"
 
 namespace vndf {
 

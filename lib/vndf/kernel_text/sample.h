@@ -245,24 +245,6 @@ VNDF_FUNCTION vec3 vndf_drawn_any(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) 
 // Only the sampler of plain tables is put in place. Beside it the other one would take registers
 // from it, and is a function that is called.
 
-VNDF_APART_FUNCTION vec3 vndf_sample_apart(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w,
-                                           float u1, float u2) {
-  return vndf_unit_or_up(vndf_drawn_any(t, w, u1, u2));
-}
-
-/// Steps 2 to 5: a normal for a direction that is stretched already.
-VNDF_FUNCTION vec3 vndf_sample(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w, float u1,
-                               float u2) {
-  if (w.kind == kVndfPlain) return vndf_unit_or_up(vndf_drawn_plain(t, w, u1, u2));
-  return vndf_sample_apart(t, w, u1, u2);
-}
-
-VNDF_APART_FUNCTION vec3 vndf_sample_towards_apart(VNDF_IN(VndfTables) t, VNDF_IN(vec3) wi,
-                                                   float alpha_x, float alpha_y, float u1,
-                                                   float u2) {
-  return vndf_unit_or_up(vndf_drawn_any(t, vndf_at(t, wi, alpha_x, alpha_y), u1, u2));
-}
-
 VNDF_APART_FUNCTION vec3 vndf_drawn_apart(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w, float u1,
                                           float u2) {
   return vndf_drawn_any(t, w, u1, u2);
@@ -274,15 +256,33 @@ VNDF_FUNCTION vec3 vndf_drawn(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w, f
   return vndf_drawn_apart(t, w, u1, u2);
 }
 
-/// Steps 1 to 5: a normal seen from `wi`.
-VNDF_FUNCTION vec3 vndf_sample_towards(VNDF_IN(VndfTables) t, VNDF_IN(vec3) wi, float alpha_x,
-                                       float alpha_y, float u1, float u2) {
+/// Steps 2 to 5: a normal for a direction that is stretched already.
+VNDF_FUNCTION vec3 vndf_sample(VNDF_IN(VndfTables) t, VNDF_IN(VndfDirection) w, float u1,
+                               float u2) {
+  return vndf_unit_or_up(vndf_drawn(t, w, u1, u2));
+}
+
+VNDF_APART_FUNCTION vec3 vndf_drawn_towards_apart(VNDF_IN(VndfTables) t, VNDF_IN(vec3) wi,
+                                                  float alpha_x, float alpha_y, float u1,
+                                                  float u2) {
+  return vndf_drawn_any(t, vndf_at(t, wi, alpha_x, alpha_y), u1, u2);
+}
+
+/// Steps 1 to 4: a normal of any length, seen from `wi` of any length.
+VNDF_FUNCTION vec3 vndf_drawn_towards(VNDF_IN(VndfTables) t, VNDF_IN(vec3) wi, float alpha_x,
+                                      float alpha_y, float u1, float u2) {
   if (t.kind == kVndfPlain && wi.z >= 0.0f) {
     VndfDirection above = vndf_stretched(t, wi, alpha_x, alpha_y);
     VndfCell row = vndf_row(t, above);
     above.g = row.f;
     above.row = row.offset;
-    return vndf_unit_or_up(vndf_drawn_plain(t, above, u1, u2));
+    return vndf_drawn_plain(t, above, u1, u2);
   }
-  return vndf_sample_towards_apart(t, wi, alpha_x, alpha_y, u1, u2);
+  return vndf_drawn_towards_apart(t, wi, alpha_x, alpha_y, u1, u2);
+}
+
+/// Steps 1 to 5: a normal seen from `wi`.
+VNDF_FUNCTION vec3 vndf_sample_towards(VNDF_IN(VndfTables) t, VNDF_IN(vec3) wi, float alpha_x,
+                                       float alpha_y, float u1, float u2) {
+  return vndf_unit_or_up(vndf_drawn_towards(t, wi, alpha_x, alpha_y, u1, u2));
 }

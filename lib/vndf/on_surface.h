@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 
 #include "vndf/rough_surface.h"
 #include "vndf/vec.h"
@@ -10,8 +11,8 @@
 namespace vndf {
 
 /// A sampler of flat surfaces, for a surface. Its functions are those of the sampler, bit for bit
-/// where the surface is flat, with the same fallbacks and errors. It refers to `sampler`, which
-/// must outlive it.
+/// where the surface is flat, with the same fallbacks and errors; it has those that the sampler
+/// has. It refers to `sampler`, which must outlive it.
 template <class Sampler>
 class OnSurface {
   using T = typename Sampler::Scalar;
@@ -35,6 +36,20 @@ class OnSurface {
     return normalize_or_up(surface_.tilted_normal(m));
   }
 
+  /// The direction `wi`, from which many normals can be drawn (Kernel::at()).
+  auto at(const Vec3<T>& wi) const noexcept { return sampler_->at(wi, surface_); }
+
+  /// A normal with the density that the sampler's map has there. On a surface that is not flat it
+  /// is that of sample() to rounding.
+  SampledNormal<T> sample_with_density(const Vec3<T>& wi, T u1, T u2) const noexcept {
+    return surface_.tilted(sampler_->sample_with_density(direction(wi), surface_.alpha(), u1, u2));
+  }
+
+  /// Inverse of sample(): the random numbers that give `wm`, if there are any.
+  std::optional<Vec2<T>> invert(const Vec3<T>& wi, const Vec3<T>& wm) const noexcept {
+    return sampler_->invert(direction(wi), normal(wm).unit, surface_.alpha());
+  }
+
   /// Density of sample() per solid angle.
   T pdf(const Vec3<T>& wi, const Vec3<T>& wm) const noexcept {
     const FlatNormal m = normal(wm);
@@ -53,6 +68,13 @@ class OnSurface {
   }
   /// Smith's masking G1(w) = 1 / (1 + Lambda(w)) relative to the mean normal.
   T g1(const Vec3<T>& w) const noexcept { return sampler_->g1(direction(w), surface_.alpha()); }
+
+  /// Projected area of the facets that face `w`, on either side of the surface, per area of it.
+  T visible_area(const Vec3<T>& w) const noexcept {
+    if (surface_.is_flat()) return sampler_->visible_area(w, surface_.alpha());
+    const Vec3<T> flat = surface_.flattened_direction(w);
+    return std::sqrt(dot(flat, flat)) * sampler_->visible_area(direction(w), surface_.alpha());
+  }
 
   /// The unit direction to the flat surface.
   Vec3<T> direction(const Vec3<T>& w) const noexcept {
