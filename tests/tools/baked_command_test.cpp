@@ -217,7 +217,8 @@ TEST_CASE("bench times the samplers of files of either kind, and nothing that wa
   for (const auto& entry : report.at("entries")) names.push_back(entry.at("name"));
   CHECK(names == std::vector<std::string>{"ggx caps as published", "ggx.h5 linear",
                                           "ggx.vndf kernel", "ggx.vndf kernel, prepared",
-                                          "ggx.vndf kernel, batched"});
+                                          "ggx.vndf kernel, batched",
+                                          "ggx.vndf kernel, on surfaces"});
   CHECK(report.at("entries")[2].at("kind") == "kernel");
   check_refusal(folder.run("bench none.vndf --quick"), 1, "none.vndf");
   check_refusal(folder.run("bench --device cuda"), 2, "give .vndf files");

@@ -218,9 +218,20 @@ Runner baked_tables(const Built<KernelTables>& built) {
   return r;
 }
 
-/// The kernel alone. It refers to tables that the cases own.
+/// The kernel on a surface with correlated slopes and a mean slope at each alpha.
+struct KernelOnSurfaces {
+  Kernel kernel;
+
+  Vec3<float> sample(const Vec3<float>& wi, const Alpha<float>& alpha, float u1, float u2) const {
+    return kernel.sample(wi, RoughSurface<float>(alpha, 0.5f, {0.1f, -0.05f}), u1, u2);
+  }
+};
+
+/// A sampler that runs the kernel of `built`: Kernel or KernelOnSurfaces. It refers to tables that
+/// the cases own.
+template <class Sampler>
 Runner scalar_kernel(const Built<KernelTables>& built) {
-  Runner r = scalar_runs<float>(built.value.kernel());
+  Runner r = scalar_runs<float>(Sampler{built.value.kernel()});
   const Runner known = baked_tables(built);
   r.setup = known.setup;
   r.bytes = known.bytes;
@@ -270,10 +281,11 @@ void add_kernels(std::vector<Case>& list, const Source& source,
   };
   for (const double tolerance : tolerances) {
     for (const bool small : {false, true})
-      add(kernel_name(source.spec, tolerance, small), tolerance, small, scalar_kernel);
+      add(kernel_name(source.spec, tolerance, small), tolerance, small, scalar_kernel<Kernel>);
     const std::string fast = kernel_name(source.spec, tolerance, false);
     add(fast + ", prepared", tolerance, false, prepared_kernel);
     add(fast + ", batched", tolerance, false, batched_kernel);
+    add(fast + ", on surfaces", tolerance, false, scalar_kernel<KernelOnSurfaces>);
   }
 }
 
@@ -289,11 +301,14 @@ void add_file(std::vector<Case>& list, const std::string& path) {
   }
   const auto built =
       std::make_shared<const Built<KernelTables>>(Built<KernelTables>{load(path), 0});
-  list.push_back({path + " kernel", path, Kind::kernel, [built] { return scalar_kernel(*built); }});
+  list.push_back(
+      {path + " kernel", path, Kind::kernel, [built] { return scalar_kernel<Kernel>(*built); }});
   list.push_back({path + " kernel, prepared", path, Kind::kernel,
                   [built] { return prepared_kernel(*built); }});
   list.push_back(
       {path + " kernel, batched", path, Kind::kernel, [built] { return batched_kernel(*built); }});
+  list.push_back({path + " kernel, on surfaces", path, Kind::kernel,
+                  [built] { return scalar_kernel<KernelOnSurfaces>(*built); }});
 }
 
 // Batches.

@@ -18,7 +18,8 @@ struct CaseOptions {
   /// Rows and columns of the tables, each of which runs read literally and with linear rows.
   std::vector<std::size_t> sides = {64, 256, 1024};
   /// Tolerances that kernels are baked for from pairs of 1024 x 1024. For each, the fastest and the
-  /// smallest kernel run, and the fastest also prepared and batched.
+  /// smallest kernel run, and the fastest also prepared, batched and on surfaces with
+  /// correlated slopes and a mean slope.
   std::vector<double> tolerances = {1e-4, 1e-5};
   /// Files of pairs or of baked tables, each of which counts as a further distribution.
   std::vector<std::string> files = {};
