@@ -37,9 +37,8 @@ class RoughSurface {
   /// The same surface in another precision.
   template <class U>
   VNDF_DEVICE explicit RoughSurface(const RoughSurface<U>& o)
-      : alpha_{T(o.alpha().x), T(o.alpha().y)},
-        shear_(T(o.shear())),
-        mean_{T(o.mean().x), T(o.mean().y)} {}
+      : RoughSurface({T(o.alpha().x), T(o.alpha().y)}, T(o.shear()),
+                     {T(o.mean().x), T(o.mean().y)}) {}
 
   /// Slopes along x and y in units of `alpha` with this correlation in (-1, 1) about the mean slope
   /// (mean.x, mean.y): that of the facet (-mean.x, -mean.y, 1). These are the numbers that maps are
