@@ -79,7 +79,9 @@ if(WAY STREQUAL "packages")
 endif()
 
 if(WAY STREQUAL "add_subdirectory")
-  build_consumer("runtime_only;render;own_distribution" -D CONSUMER_WAY=${WAY})
+  # It compiles the builder again, which need not be fast.
+  build_consumer("runtime_only;render;own_distribution" -D CONSUMER_WAY=${WAY}
+                 -D CMAKE_CXX_FLAGS_RELEASE=-O1)
 else()
   install(${BUILD})
 endif()

@@ -1,6 +1,6 @@
-// Writes a million normals of two distributions, with their densities and functions, to a file:
-// from exported headers alone or, with VNDF_LIBRARY, from the files of the same tables by the
-// library.
+// Writes a million normals of two distributions, and as many on surfaces with correlated slopes and
+// a mean slope, with their densities and functions, to a file: from exported headers alone or, with
+// VNDF_LIBRARY, from the files of the same tables by the library.
 #include <cstdio>
 #include <random>
 #include <vector>
@@ -24,8 +24,11 @@ void append_normals(const vndf::Kernel& kernel, std::vector<float>& numbers) {
     const vndf::Alpha<float> alpha{0.01f + uniform(), 0.01f + uniform()};
     const float u1 = uniform(), u2 = uniform();
     const vndf::Vec3<float> wm = kernel.sample(wi, alpha, u1, u2);
+    const vndf::RoughSurface<float> surface(alpha, 0.5f, {0.1f, -0.05f});
+    const vndf::Vec3<float> tilted = kernel.sample(wi, surface, u1, u2);
     for (const float number :
-         {wm.x, wm.y, wm.z, kernel.sample_with_density(wi, alpha, u1, u2).pdf, kernel.d(wm, alpha),
+         {tilted.x, tilted.y, tilted.z, wm.x, wm.y, wm.z,
+          kernel.sample_with_density(wi, alpha, u1, u2).pdf, kernel.d(wm, alpha),
           kernel.pdf(wi, wm, alpha), kernel.lambda(wi, alpha), kernel.g1(wi, alpha)})
       numbers.push_back(number);
   }
