@@ -130,6 +130,7 @@ target_link_libraries(vndf_precompute PUBLIC vndf_distributions)
 target_include_directories(vndf_precompute SYSTEM PRIVATE ${Boost_INCLUDE_DIRS})
 
 vndf_room(vndf_validate
+  vndf/validate/checks/configurations.cpp
   vndf/validate/checks/cross_check.cpp
   vndf/validate/checks/density_check.cpp
   vndf/validate/checks/distribution_check.cpp

@@ -86,6 +86,25 @@ TEST_CASE("validate checks tables of every layout that build makes") {
   }
 }
 
+TEST_CASE("validate makes all checks on the surface of its options, and names it") {
+  const FolderWithTables folder;
+  const Result r = folder.run(
+      "validate ggx.h5 --quick --seed 1 --correlation -0.5 --mean 0.7,-0.4 --json verdict.json");
+  CHECK(r.status == 0);
+  CHECK_THAT(r.out, contains(", correlation -0.5, mean slope 0.7 x -0.4") &&
+                        contains("single precision does not carry their slopes: alpha 0.001"));
+  const auto json = nlohmann::json::parse(content(folder / "verdict.json"));
+  const auto& results = json.at("samplers").at(0).at("results");
+  CHECK(results.at(1).at("correlation") == -0.5);
+  CHECK(results.at(1).at("mean_y").get<double>() == Approx(-0.4));
+  CHECK(folder.run("validate ggx.h5 --quick --seed 1 --rotate 30").status == 0);
+  CHECK(folder.run("validate ggx.h5 --quick --correlation 1").status == 2);
+  CHECK(folder.run("validate ggx.h5 --quick --correlation 0.5 --rotate 30").status == 2);
+  const Result narrow = folder.run("validate ggx.h5 --quick --correlation 0.99999");
+  CHECK(narrow.status == 1);
+  CHECK_THAT(narrow.error, contains("ggx.h5") && contains("give a correlation nearer to 0"));
+}
+
 TEST_CASE("validate refuses what it does not know") {
   const Folder folder;
   const Result unknown = folder.run("validate nothing");
@@ -108,6 +127,24 @@ TEST_CASE("check accepts the records of tables, and says what their number can s
   CHECK_THAT(r.out, contains("accepted") && contains("20000 samples") && contains("in u"));
   CHECK(nlohmann::json::parse(content(folder / "verdict.json")).at("passed") == true);
   CHECK(folder.run("check records.csv --against ggx.h5 --inverse no").status == 0);
+}
+
+TEST_CASE("check takes columns of a surface, and names it where records are not of it") {
+  const FolderWithRecords folder;
+  std::ifstream records(folder / "records.csv");
+  std::ofstream tilted(folder / "tilted.csv");
+  std::string line, rest;
+  std::getline(records, line);
+  tilted << "wx,wy,wz,ax,ay,correlation,mean_x,mean_y,u1,u2,mx,my,mz,pdf\n";
+  while (std::getline(records, line)) {
+    std::size_t after_ay = 0;
+    for (int k = 0; k < 5; ++k) after_ay = line.find(',', after_ay) + 1;
+    tilted << line.substr(0, after_ay) << "0.5,0,0," << line.substr(after_ay) << '\n';
+  }
+  tilted.close();
+  const Result r = folder.run("check tilted.csv --against ggx --json verdict.json");
+  CHECK(r.status == 1);
+  CHECK_THAT(r.out, contains("rejected: ") && contains(", correlation 0.5"));
 }
 
 TEST_CASE("check rejects with status 1, the statistic, theta and alpha") {
@@ -142,8 +179,8 @@ TEST_CASE("check names a file of no use and what it lacks, whatever its bytes ar
   };
   const std::string header = "wx,wy,wz,ax,ay,mx,my,mz";
   refused("", "it is empty");
-  refused(header + "\n", "it has 0 records; give 100 or more");
-  refused("\xEF\xBB\xBF" + header + "\r\n0,0,1,1,1,0,0,1\r\n", "it has 1 records");
+  refused(header + "\n", "there are 0 records; give 100 or more");
+  refused("\xEF\xBB\xBF" + header + "\r\n0,0,1,1,1,0,0,1\r\n", "there are 1 records");
   refused(header + "\n0,0,1,1,1,nan,0,1\n", "line 2: 'nan' is not a finite number");
   refused(std::string("\xFF\xFEw\0x\0", 6), "line 1: there is a zero byte");
   refused(header + "\r0,0,1,1,1,0,0,1\r", "line 1: the header 'wx,wy,wz,ax,ay,mx,my,mz?0,0");

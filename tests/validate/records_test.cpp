@@ -6,6 +6,7 @@
 #include <random>
 #include <sstream>
 
+#include "support/built_tables.h"
 #include "support/catch.h"
 #include "support/drawn_records.h"
 #include "support/samplers_under_test.h"
@@ -23,6 +24,7 @@ Records read(const std::string& text) {
 }
 
 const std::string kHeader = "wx,wy,wz,ax,ay,u1,u2,mx,my,mz\n";
+const std::string kSurfaceHeader = "wx,wy,wz,ax,ay,correlation,mean_x,mean_y,mx,my,mz\n";
 
 void check_refused(const std::string& text, const std::string& message) {
   CHECK_THROWS_WITH(read(text), contains("records.csv") && contains(message));
@@ -72,6 +74,13 @@ TEST_CASE("records are read with and without random numbers and density") {
   CHECK(all.list[0].configuration.alpha.y == 0.25);
   CHECK(all.list[0].u2 == 0.2);
   CHECK(all.list[0].pdf == 3);
+  const Records tilted = read(kSurfaceHeader + "0,0.6,-0.8,1,2,-0.5,0.7,-0.4,0,-0.6,0.8\n");
+  CHECK(tilted.list[0].configuration.alpha.y == 2);
+  CHECK(tilted.list[0].configuration.correlation == -0.5);
+  CHECK(tilted.list[0].configuration.mean.x == 0.7);
+  CHECK(tilted.list[0].configuration.mean.y == -0.4);
+  CHECK(tilted.list[0].configuration.wi.z == -0.8);
+  CHECK(tilted.list[0].wm.y == -0.6);
   const Records few = read("wx,wy,wz,ax,ay,mx,my,mz\n# comment\n\n0,0.6,0.8,1,1,0,-0.6,0.8\n");
   CHECK_FALSE(few.has_u);
   CHECK(few.list[0].wm.y == -0.6);
@@ -84,7 +93,12 @@ TEST_CASE("unusable records are refused with line and rule") {
   check_refused(kHeader + "0,0,1,1,1,0.5,0.5,0,0,nan\n", "line 2: 'nan' is not a finite number");
   check_refused(kHeader + "0,0,1,1,1,0.5,0.5,0,0,x\n", "'x' is not a finite number");
   check_refused(kHeader + "0,0,2,1,1,0.5,0.5,0,0,1\n", "wx,wy,wz must have length 1");
-  check_refused(kHeader + "0,0,-1,1,1,0.5,0.5,0,0,1\n", "wz must not be negative");
+  check_refused(kSurfaceHeader + "0,0,1,1,1,1,0,0,0,0,1\n",
+                "line 2: correlation must be inside (-1, 1)");
+  check_refused(kSurfaceHeader + "0,0,1,1,1,0,0,2e9,0,0,1\n",
+                "line 2: mean_x and mean_y must be from -1e9 to 1e9");
+  check_refused("wx,wy,wz,ax,ay,correlation,mx,my,mz\n",
+                "correlation,mean_x,mean_y may stand after ay");
   check_refused(kHeader + "0,0,1,0,1,0.5,0.5,0,0,1\n", "ax and ay must be from 1e-9 to 1e9");
   check_refused(kHeader + "0,0,1,1,2e9,0.5,0.5,0,0,1\n", "ax and ay must be from 1e-9 to 1e9");
   check_refused(kHeader + "0,0,1,1,1,0.5,1.5,0,0,1\n", "u1 and u2 must be in [0, 1]");
@@ -127,6 +141,53 @@ TEST_CASE("records of an exact sampler that is no monotone map are accepted, its
     CHECK(first_failure(v) == "");
     CHECK_FALSE(has(v, "inverse"));
   }
+}
+
+TEST_CASE("records of surfaces and of directions of the whole sphere are judged") {
+  const auto& built = small_tables("ggx");
+  const TabulatedSampler<float> ggx(built.tables);
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<float> uniform;
+  Records records{.list = {}, .has_u = true, .has_pdf = true, .read = 50000};
+  for (std::size_t k = 0; k < records.read; ++k) {
+    const float r = k % 2 == 0 ? -0.95f : 0.5f;
+    const Configuration c = at_angles(180 * uniform(random), 360 * uniform(random), 0.5, 0.3, r,
+                                      k % 3 == 0 ? Vec2<double>{0, 0} : Vec2<double>{0.7, -0.4});
+    const OnSurface on(ggx, rough_surface<float>(c.surface()));
+    const auto wi = vector_of<float>(c.wi);
+    const float u1 = uniform(random), u2 = uniform(random);
+    const Vec3<float> wm = on.sample(wi, u1, u2);
+    records.list.push_back({c, vector_of<double>(wm), u1, u2, on.pdf(wi, wm)});
+  }
+  const Bounds bounds = bounds_of(built.certificate, 96);
+  const RecordOptions options{.u_error = 2 * bounds.u_error, .declared = bounds.declared};
+  const auto slopes = exact_slopes("ggx");
+  const Verdict v = validate_records(records, *slopes, options);
+  for (const CheckResult& f : v.results) {
+    CAPTURE(f.check, f.statistic, f.measured, f.bound, f.where.theta, f.where.correlation, f.note);
+    CHECK(f.passed());
+  }
+  CHECK(has(v, "inverse"));
+
+  Records wrong = records;
+  for (Record& r : wrong.list) r.configuration.correlation += 0.01;
+  CHECK_FALSE(validate_records(wrong, *slopes, options).passed());
+  wrong = records;
+  for (Record& r : wrong.list) r.configuration.mean.y = 0;
+  CHECK_FALSE(validate_records(wrong, *slopes, options).passed());
+}
+
+TEST_CASE("records of directions that see nothing are left out, and told") {
+  Records records = draw(CapsGgx<float>{}, {.count = 1000});
+  for (int k = 0; k < 50; ++k)
+    records.list.push_back({{{0, 0, -1}, {1, 1}}, {0, 0, 1}, 0.5, 0.5, 0});
+  records.read = records.list.size();
+  const auto told = [](const Verdict& v) { return v.skipped.back().reason; };
+  CHECK_THAT(told(validate_records(records, *exact_slopes("ggx"), {})),
+             contains("50 records are in no check: less than 1e-12"));
+  records.list.erase(records.list.begin(), records.list.begin() + 950);
+  CHECK_THROWS_WITH(validate_records(records, *exact_slopes("ggx"), {}),
+                    contains("there are 50 records of which normals are visible"));
 }
 
 TEST_CASE("a monotone map is detected and checked to 1e-5") {

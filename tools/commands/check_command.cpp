@@ -14,6 +14,7 @@
 #include "commands/table_files.h"
 #include "report/verdict_text.h"
 #include "vndf/distributions/specification.h"
+#include "vndf/validate/exact/place_text.h"
 #include "vndf/validate/records.h"
 #include "vndf/validate/sampler/sampler_under_test.h"
 #include "vndf/validate/validate_records.h"
@@ -59,11 +60,21 @@ std::string conclusion(const validate::Verdict& verdict) {
   const validate::CheckResult& worst = failures.front();
   std::string text = fmt::format("rejected: {}, {}", worst.check, worst.statistic);
   if (!std::isnan(worst.where.theta))
-    text += fmt::format(" at theta {:.6g} degrees, alpha {:.4g} x {:.4g}", worst.where.theta,
-                        worst.where.alpha_x, worst.where.alpha_y);
+    text +=
+        fmt::format(" at theta {:.6g} degrees, alpha {:.4g} x {:.4g}{}", worst.where.theta,
+                    worst.where.alpha_x, worst.where.alpha_y, validate::surface_text(worst.where));
   for (std::size_t k = 1; k < failures.size(); ++k)
     text += fmt::format("; {}, {}", failures[k].check, failures[k].statistic);
   return text + "\n";
+}
+
+validate::Verdict validated(const std::string& file, const validate::Records& records,
+                            const ExactSlopes& exact, const RecordOptions& options) {
+  try {
+    return validate_records(records, exact, options);
+  } catch (const std::invalid_argument& e) {
+    throw std::runtime_error(file + ": " + e.what());
+  }
 }
 
 validate::Verdict check(const CheckArguments& a) {
@@ -71,13 +82,10 @@ validate::Verdict check(const CheckArguments& a) {
   progress.begin("reading " + a.records);
   const auto exact = against(a.against);
   const auto records = validate::read_records(a.records);
-  if (records.list.size() < validate::kFewestRecords)
-    throw std::runtime_error(fmt::format("{}: it has {} records; give {} or more, better a million",
-                                         a.records, records.list.size(), validate::kFewestRecords));
   RecordOptions options = options_of(a);
   options.workers = progress.workers(a.threads);
   progress.begin("checking");
-  auto verdict = validate_records(records, *exact, options);
+  auto verdict = validated(a.records, records, *exact, options);
   verdict.sampler = a.records + " against " + a.against;
   return verdict;
 }
@@ -108,7 +116,8 @@ void add_check(CLI::App& app) {
   const auto a = std::make_shared<CheckArguments>();
   command
       ->add_option("records", a->records,
-                   "CSV file wx,wy,wz,ax,ay[,u1,u2],mx,my,mz[,pdf], one sample a line")
+                   "CSV file wx,wy,wz,ax,ay[,correlation,mean_x,mean_y][,u1,u2],mx,my,mz[,pdf], "
+                   "one sample a line")
       ->required();
   command->add_option("--against", a->against, "Named distribution, specification or table file")
       ->required();

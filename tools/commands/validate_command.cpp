@@ -13,6 +13,7 @@
 #include "commands/commands.h"
 #include "commands/output_file.h"
 #include "commands/progress.h"
+#include "commands/surface_options.h"
 #include "commands/table_files.h"
 #include "report/validation_report.h"
 #include "report/verdict_text.h"
@@ -31,6 +32,7 @@ struct ValidateArguments {
   std::optional<std::uint64_t> seed;
   unsigned threads = 0;
   std::string json, report;
+  SurfaceArguments surface;
 };
 
 /// The slopes of the reference samplers, made once for all samplers of one distribution.
@@ -45,6 +47,15 @@ class SharedSlopes {
  private:
   std::map<std::string, std::shared_ptr<const ExactSlopes>> made_;
 };
+
+/// `sampler`, to be checked on the surface of the options. They are refused before any work.
+SamplerUnderTest on_surface(SamplerUnderTest sampler, const SurfaceArguments& surface) {
+  sampler.surface = [surface, name = sampler.name](const Alpha<double>& alpha) {
+    return surface_of(surface, alpha, name, {});
+  };
+  sampler.surface({1, 1});
+  return sampler;
+}
 
 SamplerUnderTest sampler_of(const std::string& argument, SharedSlopes& shared) {
   if (names_a_file(argument)) {
@@ -80,7 +91,8 @@ bool validate_all(const ValidateArguments& a) {
   if (!a.json.empty()) require_output(a.json, a.samplers, a.force);
   SharedSlopes shared;
   std::vector<SamplerUnderTest> samplers;  // wrong names are told before any work
-  for (const std::string& argument : a.samplers) samplers.push_back(sampler_of(argument, shared));
+  for (const std::string& argument : a.samplers)
+    samplers.push_back(on_surface(sampler_of(argument, shared), a.surface));
 
   const std::uint64_t seed = a.seed.value_or(fresh_seed());
   const auto report = report_of(a, seed);  // what hinders it is told before any work, too
@@ -130,6 +142,7 @@ void add_validate(CLI::App& app) {
   command->add_option("--seed", a->seed, "Seed of the random numbers; a fresh one where not given")
       ->check(whole_number());
   add_threads(*command, a->threads);
+  add_surface_options(*command, a->surface);
   auto* json = command->add_option("--json", a->json, "Write the verdicts to this file too")
                    ->type_name("FILE");
   add_force(*command, a->force);

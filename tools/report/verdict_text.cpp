@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "vndf/support/text.h"
+#include "vndf/validate/exact/place_text.h"
 
 namespace vndf::tools {
 namespace {
@@ -22,7 +23,8 @@ using validate::Verdict;
 std::string text_of(const Place& p) {
   std::string text;
   if (!std::isnan(p.theta))
-    text = fmt::format("theta {:.6g}, alpha {:.4g} x {:.4g}", p.theta, p.alpha_x, p.alpha_y);
+    text = fmt::format("theta {:.6g}, alpha {:.4g} x {:.4g}{}", p.theta, p.alpha_x, p.alpha_y,
+                       validate::surface_text(p));
   if (!std::isnan(p.u1)) text += fmt::format(", u1 {:.7g}", p.u1);
   if (!std::isnan(p.u2)) text += fmt::format(", u2 {:.7g}", p.u2);
   return text;
@@ -57,14 +59,32 @@ nlohmann::ordered_json to_json(const Resolution& r) {
           {"bin_error", r.bin_error}};
 }
 
+/// Adds what is known of the place, and the surface where it is not flat.
+void add_place(nlohmann::ordered_json& json, const Place& p) {
+  const auto add = [&](const char* name, double value) {
+    if (!std::isnan(value)) json[name] = value;
+  };
+  add("theta", p.theta);
+  add("alpha_x", p.alpha_x);
+  add("alpha_y", p.alpha_y);
+  for (const auto& [name, value] :
+       {std::pair{"correlation", p.correlation}, {"mean_x", p.mean_x}, {"mean_y", p.mean_y}})
+    if (value != 0) json[name] = value;
+  add("u1", p.u1);
+  add("u2", p.u2);
+}
+
 nlohmann::ordered_json to_json(const SkippedCheck& s) {
   nlohmann::ordered_json json{{"check", s.check}};
   if (!s.statistic.empty()) json["statistic"] = s.statistic;
   json["reason"] = s.reason;
   if (s.where.empty()) return json;
   auto places = nlohmann::ordered_json::array();
-  for (const Place& p : s.where)
-    places.push_back({{"theta", p.theta}, {"alpha_x", p.alpha_x}, {"alpha_y", p.alpha_y}});
+  for (const Place& p : s.where) {
+    nlohmann::ordered_json place;
+    add_place(place, p);
+    places.push_back(std::move(place));
+  }
   json["configurations"] = places;
   return json;
 }
@@ -76,14 +96,7 @@ nlohmann::ordered_json to_json(const CheckResult& f) {
                               {"measured", f.measured},
                               {"bound", f.bound},
                               {"passed", f.passed()}};
-  const auto add = [&](const char* name, double value) {
-    if (!std::isnan(value)) json[name] = value;
-  };
-  add("theta", f.where.theta);
-  add("alpha_x", f.where.alpha_x);
-  add("alpha_y", f.where.alpha_y);
-  add("u1", f.where.u1);
-  add("u2", f.where.u2);
+  add_place(json, f.where);
   if (f.tests > 0) json["tests"] = f.tests;
   if (!f.note.empty()) json["note"] = f.note;
   return json;

@@ -10,18 +10,19 @@
 namespace vndf::validate {
 namespace {
 
-using Key = std::array<double, 5>;
+using Key = std::array<double, 8>;
 
 Key key_of(const Configuration& c) {
-  return {c.wi.x, c.wi.y, c.wi.z, c.alpha.x, c.alpha.y};
+  return {c.wi.x, c.wi.y, c.wi.z, c.alpha.x, c.alpha.y, c.correlation, c.mean.x, c.mean.y};
 }
 
-/// The band of incidence and roughness that a configuration is in.
+/// The band of incidence, roughness and correlation that a configuration is in.
 Key band_of(const Configuration& c) {
-  static constexpr std::array kEnds{0.3, 10.0, 30.0, 60.0, 75.0, 85.0, 89.0, 89.9};
-  const double theta =
-      static_cast<double>(std::lower_bound(kEnds.begin(), kEnds.end(), c.theta()) - kEnds.begin());
-  return {theta, std::floor(std::log10(c.alpha.x)), std::floor(std::log10(c.alpha.y)), 0, 0};
+  static constexpr std::array kEnds{0.3, 10.0, 30.0, 60.0, 75.0, 85.0, 89.0, 89.9, 90.1, 100.0};
+  const double incidence = static_cast<double>(
+      std::lower_bound(kEnds.begin(), kEnds.end(), c.incidence()) - kEnds.begin());
+  return {incidence, std::floor(std::log10(c.alpha.x)), std::floor(std::log10(c.alpha.y)),
+          std::round(2 * c.correlation)};
 }
 
 /// The indices are sorted by key, which takes less memory than a map of all keys does.
@@ -67,9 +68,12 @@ Place middle_of(const Records& records, const Indices& group) {
     for (const std::size_t i : group) values.push_back(number(records.list[i].configuration));
     return median(std::move(values));
   };
-  return {of([](const Configuration& c) { return c.theta(); }),
-          of([](const Configuration& c) { return c.alpha.x; }),
-          of([](const Configuration& c) { return c.alpha.y; })};
+  return {.theta = of([](const Configuration& c) { return c.theta(); }),
+          .alpha_x = of([](const Configuration& c) { return c.alpha.x; }),
+          .alpha_y = of([](const Configuration& c) { return c.alpha.y; }),
+          .correlation = of([](const Configuration& c) { return c.correlation; }),
+          .mean_x = of([](const Configuration& c) { return c.mean.x; }),
+          .mean_y = of([](const Configuration& c) { return c.mean.y; })};
 }
 
 }  // namespace vndf::validate

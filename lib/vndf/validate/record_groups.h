@@ -1,5 +1,5 @@
 // Groups of records that are counted or judged together: those of one configuration, or those of a
-// band of incidence and roughness where every record has a configuration of its own.
+// band of incidence and surface where every record has a configuration of its own.
 #pragma once
 
 #include <cstddef>
@@ -15,11 +15,11 @@ using Indices = std::vector<std::size_t>;
 /// The records of each configuration, each list in increasing order.
 std::vector<Indices> records_by_configuration(const Records& records);
 
-/// The records of each band of incidence and roughness: theta is cut at fixed angles, and either
-/// roughness at powers of 10.
+/// The records of each band: the incidence from the mean facet is cut at fixed angles, either
+/// roughness at powers of 10, and correlation at -+0.25 and -+0.75.
 std::vector<Indices> records_by_band(const Records& records);
 
-/// The middle of a group that is not empty: the medians of incidence and of either roughness.
+/// The middle of a group that is not empty: the median of each number.
 Place middle_of(const Records& records, const Indices& group);
 
 }  // namespace vndf::validate

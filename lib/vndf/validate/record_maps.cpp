@@ -9,6 +9,7 @@
 #include "vndf/precompute/marginal_distribution.h"
 #include "vndf/support/text.h"
 #include "vndf/validate/exact/exact_conditional.h"
+#include "vndf/validate/exact/place_text.h"
 #include "vndf/validate/record_groups.h"
 #include "vndf/validate/statistics/density_distance.h"
 #include "vndf/validate/statistics/rank_correlation.h"
@@ -182,7 +183,7 @@ class RecordMaps {
     const StretchedFrame frame(exact_, r.configuration);
     const precompute::MarginalDistribution visible(exact_.unit_slopes(), frame.cotangent());
     const StretchedSlope s = frame.slope_of(r.wm);
-    const double x = s.x / s.w, rounding = kSlopeRounding * s.horizontal() / s.w;
+    const double x = s.x / s.w, rounding = kSlopeRounding * frame.rounding(s);
     const auto cdf = [&](double slope) {
       return visible.cdf(std::min(std::asinh(slope), visible.farthest())).u;
     };
@@ -190,8 +191,9 @@ class RecordMaps {
   }
 
   double error_y(const Record& r, double u) const {
-    const StretchedSlope s = StretchedFrame(exact_, r.configuration).slope_of(r.wm);
-    const double x = s.x / s.w, y = s.y / s.w, rounding = kSlopeRounding * s.horizontal() / s.w;
+    const StretchedFrame frame(exact_, r.configuration);
+    const StretchedSlope s = frame.slope_of(r.wm);
+    const double x = s.x / s.w, y = s.y / s.w, rounding = kSlopeRounding * frame.rounding(s);
     double low = 1, high = 0;
     for (const double near : {x, x - rounding, x + rounding}) {
       if (!ExactConditional::is_checked(exact_.unit_slopes(), near)) continue;
@@ -268,12 +270,6 @@ class RecordMaps {
                       : place_of(record(group.records.front()).configuration);
   }
 
-  static std::string text_of(const Place& p) {
-    using support::rounded_text;
-    return "theta " + rounded_text(p.theta) + ", alpha " + rounded_text(p.alpha_x) + " x " +
-           rounded_text(p.alpha_y);
-  }
-
   /// "0.02 of slope x": the correlation by which there is no inverse.
   static std::string missing_correlation(const Group& group) {
     const bool by_x = std::abs(group.correlation_x) < kMapCorrelation;
@@ -295,7 +291,7 @@ class RecordMaps {
       const std::size_t before = line.where.size();
       line.where.push_back(place_of_group(*group));
       if (before >= kMostNamed) continue;
-      line.reason += (before == 0 ? ": " : "; ") + text_of(line.where.back());
+      line.reason += (before == 0 ? ": " : "; ") + configuration_text(line.where.back());
       if (!group->correlates) line.reason += " (" + missing_correlation(*group) + ")";
     }
     if (left_out.size() > kMostNamed)

@@ -17,10 +17,11 @@ using support::CsvReader;
 
 /// Which columns are there, and their names in order.
 struct Header {
-  bool u, pdf;
+  bool surface, u, pdf;
 
   std::vector<std::string_view> columns() const {
     std::vector<std::string_view> names{"wx", "wy", "wz", "ax", "ay"};
+    if (surface) names.insert(names.end(), {"correlation", "mean_x", "mean_y"});
     if (u) names.insert(names.end(), {"u1", "u2"});
     names.insert(names.end(), {"mx", "my", "mz"});
     if (pdf) names.push_back("pdf");
@@ -30,12 +31,13 @@ struct Header {
 
 Header read_header(support::CsvReader& csv) {
   const std::string accepted =
-      "the first line must be 'wx,wy,wz,ax,ay,u1,u2,mx,my,mz', where u1,u2 may be missing and pdf "
-      "may follow";
+      "the first line must be 'wx,wy,wz,ax,ay,u1,u2,mx,my,mz', where u1,u2 may be missing, pdf may "
+      "follow, and correlation,mean_x,mean_y may stand after ay";
   if (!csv.next_line()) csv.fail("it is empty; " + accepted);
-  for (const bool u : {true, false})
-    for (const bool pdf : {false, true})
-      if (csv.fields() == Header{u, pdf}.columns()) return {u, pdf};
+  for (const bool surface : {false, true})
+    for (const bool u : {true, false})
+      for (const bool pdf : {false, true})
+        if (csv.fields() == Header{surface, u, pdf}.columns()) return {surface, u, pdf};
   csv.fail_in_line("the header " + support::quoted(csv.line()) + " is not known; " + accepted);
 }
 
@@ -52,6 +54,10 @@ bool is_roughness(double alpha) {
   return alpha >= kSmallestRoughness && alpha <= kLargestRoughness;
 }
 
+bool is_mean_slope(double slope) {
+  return std::abs(slope) <= kLargestMeanSlope;
+}
+
 Record read_record(const support::CsvReader& csv, const Header& header) {
   const auto& fields = csv.fields();
   const std::size_t columns = header.columns().size();
@@ -66,8 +72,14 @@ Record read_record(const support::CsvReader& csv, const Header& header) {
   };
   Record r;
   r.configuration.wi = vector();
-  r.configuration.alpha.x = number();
-  r.configuration.alpha.y = number();
+  Configuration& c = r.configuration;
+  c.alpha.x = number();
+  c.alpha.y = number();
+  if (header.surface) {
+    c.correlation = number();
+    c.mean.x = number();
+    c.mean.y = number();
+  }
   if (header.u) {
     r.u1 = number();
     r.u2 = number();
@@ -78,10 +90,11 @@ Record read_record(const support::CsvReader& csv, const Header& header) {
   const auto require = [&](bool holds, const char* rule) {
     if (!holds) csv.fail_in_line(rule);
   };
-  require(has_length_one(r.configuration.wi), "wx,wy,wz must have length 1");
-  require(r.configuration.wi.z >= 0, "wz must not be negative");
-  require(is_roughness(r.configuration.alpha.x) && is_roughness(r.configuration.alpha.y),
-          "ax and ay must be from 1e-9 to 1e9");
+  require(has_length_one(c.wi), "wx,wy,wz must have length 1");
+  require(is_roughness(c.alpha.x) && is_roughness(c.alpha.y), "ax and ay must be from 1e-9 to 1e9");
+  require(std::abs(c.correlation) < 1, "correlation must be inside (-1, 1)");
+  require(is_mean_slope(c.mean.x) && is_mean_slope(c.mean.y),
+          "mean_x and mean_y must be from -1e9 to 1e9");
   require(!header.u || (is_probability(r.u1) && is_probability(r.u2)),
           "u1 and u2 must be in [0, 1]");
   require(has_length_one(r.wm), "mx,my,mz must have length 1");

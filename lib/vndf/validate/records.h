@@ -3,9 +3,10 @@
 //
 //   wx,wy,wz,ax,ay,u1,u2,mx,my,mz       incident direction, roughness, random numbers, normal
 //
-// where u1,u2 may be missing and a column pdf may follow. Blank lines and lines that start with '#'
-// are skipped. Every line is read and must be right, but of a very long file only a random part is
-// kept, so that its length does not decide how much memory is taken.
+// where u1,u2 may be missing and a column pdf may follow. A surface that is not flat has
+// correlation,mean_x,mean_y after ay, all three (SurfaceSlopes). Blank lines and lines that start
+// with '#' are skipped. Every line is read and must be right, but of a very long file only a random
+// part is kept, so that its length does not decide how much memory is taken.
 #pragma once
 
 #include <filesystem>
@@ -31,6 +32,9 @@ struct Record {
   Vec3<double> wm;
   double u1 = kUnknown, u2 = kUnknown, pdf = kUnknown;
 };
+
+/// The largest mean slope, either way, along x and y.
+inline constexpr double kLargestMeanSlope = 1e9;
 
 /// Samples, and which of the columns that may be missing they have.
 struct Records {

@@ -5,8 +5,12 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
+#include "vndf/support/text.h"
+#include "vndf/validate/checks/configurations.h"
 #include "vndf/validate/checks/cross_check.h"
 #include "vndf/validate/checks/density_check.h"
 #include "vndf/validate/checks/distribution_check.h"
@@ -61,6 +65,13 @@ std::vector<SkippedCheck> skipped_statistics(const SamplerUnderTest& sampler) {
   else if (!tells_density(sampler))
     skipped.push_back({"density", "pdf times |Jacobian| - 1",
                        "the map is known in single precision only, which has no derivative"});
+  if (auto places = left_out(sampler); !places.empty()) {
+    std::string reason = "single precision does not carry their slopes:";
+    for (const Place& p : places)
+      reason += (&p == &places.front() ? " alpha " : "; ") + support::rounded_text(p.alpha_x) +
+                " x " + support::rounded_text(p.alpha_y);
+    skipped.push_back({"distribution", "smooth surfaces", reason, std::move(places)});
+  }
   return skipped;
 }
 
@@ -102,6 +113,12 @@ std::vector<CheckResult> Verdict::failures() const {
 }
 
 Verdict validate_sampler(const SamplerUnderTest& sampler, const ValidationOptions& options) {
+  const std::size_t configurations = check_configurations(sampler).size();
+  if (configurations == 0)
+    throw std::invalid_argument(sampler.name +
+                                ": single precision does not carry the slopes of this surface at "
+                                "any roughness of the checks; give a correlation nearer to 0 or a "
+                                "smaller mean slope");
   const Effort effort = validate::effort(options);
   const double significance = sidak(kRunSignificance, options.samplers);
   Verdict verdict{.sampler = sampler.name, .results = {}};
@@ -126,7 +143,7 @@ Verdict validate_sampler(const SamplerUnderTest& sampler, const ValidationOption
                                           .significance = significance,
                                           .stop_at_first_failure = options.stop_at_first_failure,
                                           .workers = options.workers});
-         verdict.samples = effort.samples * check_configurations().size();
+         verdict.samples = effort.samples * configurations;
          verdict.resolutions = {resolution_of(effort.samples, results.front().bound)};
          return results;
        }}};

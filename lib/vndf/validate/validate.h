@@ -76,8 +76,9 @@ struct Verdict {
 
 /// Makes every check that `sampler` claims to pass: hard cases, u-error and cross-check where it
 /// claims to be the monotone inverse, density, furnace, quasi-random where its map is smooth, and
-/// distribution. A correct sampler fails a run of options.samplers samplers with a probability of
-/// kRunSignificance.
+/// distribution. They are made on sampler.surface, and below it where that is claimed. A correct
+/// sampler fails a run of options.samplers samplers with a probability of kRunSignificance. Throws
+/// std::invalid_argument for a surface that kMostRounding leaves out at every roughness.
 Verdict validate_sampler(const SamplerUnderTest& sampler, const ValidationOptions& options = {});
 
 }  // namespace vndf::validate

@@ -10,6 +10,8 @@
 #include <string>
 #include <utility>
 
+#include "vndf/certificate.h"
+#include "vndf/support/text.h"
 #include "vndf/validate/record_groups.h"
 #include "vndf/validate/record_maps.h"
 #include "vndf/validate/statistics/density_distance.h"
@@ -30,7 +32,7 @@ struct Property {
   double (*of)(const Configuration&);
 };
 constexpr std::array kProperties{
-    Property{"theta", [](const Configuration& c) { return c.theta(); }},
+    Property{"theta", [](const Configuration& c) { return c.incidence(); }},
     Property{"phi of wi", [](const Configuration& c) { return std::atan2(c.wi.y, c.wi.x); }},
     Property{"ax / ay", [](const Configuration& c) { return std::log(c.alpha.x / c.alpha.y); }}};
 
@@ -51,6 +53,20 @@ bool has_result(const std::vector<CheckResult>& results, const std::string& chec
   return std::any_of(results.begin(), results.end(), [&](const CheckResult& f) {
     return f.check == check && f.statistic == statistic;
   });
+}
+
+/// Whether there is a distribution of the normals that are claimed at `c`.
+bool is_seen(const Configuration& c, const ExactSlopes& exact, const RecordOptions& options) {
+  if (options.normals == SampledNormals::all || c.height() >= 0) return true;
+  return options.normals == SampledNormals::visible_smith &&
+         exact.unit_visible_area(c.wi, c.surface()) > kLeastArea;
+}
+
+std::string why_unseen(const RecordOptions& options) {
+  return options.normals == SampledNormals::visible_v_cavity
+             ? "V-cavities are seen from above only"
+             : "less than " + support::rounded_text(kLeastArea) +
+                   " of the surface is visible from their wi";
 }
 
 class RecordValidation {
@@ -99,7 +115,9 @@ class RecordValidation {
     for (const Record& r : records_.list) {
       const Configuration& c = r.configuration;
       const Place place = place_of(c, r.u1, r.u2);
-      const double stretch = 1 + std::max(c.alpha.x, c.alpha.y) * exact_.unit_slopes().mean_slope();
+      const double stretch = 1 +
+                             std::max(c.alpha.x, c.alpha.y) * exact_.unit_slopes().mean_slope() +
+                             std::hypot(c.mean.x, c.mean.y);
       horizon.see(std::max(0.0, -r.wm.z), place);
       facing.see(std::max(0.0, -dot(c.wi, r.wm)) / stretch, place);
       if (records_.has_pdf) pdf.see(density_error(r), place);
@@ -130,7 +148,7 @@ class RecordValidation {
     const ExactDistribution distribution(exact_, options_.normals, r.configuration, Use::few);
     const auto exact = [&](const Vec3<double>& m) { return distribution.pdf(m); };
     const auto facing = [&](const Vec3<double>& m) { return distribution.facing_pdf(m); };
-    return density_distance(r.pdf, r.wm, exact, facing);
+    return density_distance(r.pdf, r.wm, r.configuration.surface(), exact, facing);
   }
 
   /// Why the map is not looked at; empty where it is.
@@ -278,11 +296,26 @@ class RecordValidation {
 
 Verdict validate_records(const Records& records, const ExactSlopes& exact,
                          const RecordOptions& options) {
-  if (records.list.size() < kFewestRecords)
-    throw std::invalid_argument("there are " + std::to_string(records.list.size()) +
-                                " records; give " + std::to_string(kFewestRecords) +
-                                " or more, better a million");
-  return RecordValidation(records, exact, options).run();
+  const auto unseen = [&](const Record& r) { return !is_seen(r.configuration, exact, options); };
+  const auto left_out =
+      static_cast<std::size_t>(std::count_if(records.list.begin(), records.list.end(), unseen));
+  Records rest;
+  if (left_out > 0) {
+    rest = records;
+    std::erase_if(rest.list, unseen);
+    rest.read -= left_out;
+  }
+  const Records& seen = left_out > 0 ? rest : records;
+  if (seen.list.size() < kFewestRecords)
+    throw std::invalid_argument("there are " + std::to_string(seen.list.size()) + " records" +
+                                (left_out > 0 ? " of which normals are visible" : "") + "; give " +
+                                std::to_string(kFewestRecords) + " or more, better a million");
+  Verdict verdict = RecordValidation(seen, exact, options).run();
+  if (left_out > 0)
+    verdict.skipped.push_back(
+        {"normals", "",
+         std::to_string(left_out) + " records are in no check: " + why_unseen(options)});
+  return verdict;
 }
 
 }  // namespace vndf::validate

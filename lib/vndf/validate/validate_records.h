@@ -38,7 +38,9 @@ struct RecordOptions {
 /// The results at single configurations, or in bands of them where there are many, and over all
 /// records. The check of the configuration or band in which a statistic is worst is called "worst
 /// group". A sampler whose normals are exact is accepted whatever its map is, but for a probability
-/// of kRunSignificance. Throws std::invalid_argument for fewer records than kFewestRecords.
+/// of kRunSignificance. Directions below the surface that see less than kLeastArea of it, and all
+/// directions below V-cavities, have no distribution; their records are left out. Throws
+/// std::invalid_argument for fewer other records than kFewestRecords.
 Verdict validate_records(const Records& records, const ExactSlopes& exact,
                          const RecordOptions& options);
 

@@ -75,8 +75,8 @@ TEST_CASE("an energy that is no number does not pass") {
 TEST_CASE("shadowing that forgets the outgoing direction is noticed as not reciprocal") {
   SamplerUnderTest sampler = caps();
   const auto right = sampler.g2;
-  sampler.g2 = [right](const Alpha<double>& alpha, const Vec3<double>& wi, const Vec3<double>&,
-                       const Vec3<double>& wm) { return right(alpha, wi, wi, wm); };
+  sampler.g2 = [right](const ExactSurface& surface, const Vec3<double>& wi, const Vec3<double>&,
+                       const Vec3<double>& wm) { return right(surface, wi, wi, wm); };
   CHECK(measured(caps(), "reciprocity of G2").passed());
   CHECK(measured(sampler, "reciprocity of G2").measured > 0.1);
 }

@@ -101,8 +101,8 @@ TEST_CASE("Lambda, G1 and D agree with the closed forms of GGX") {
     CHECK(slopes->g1(c.wi, c.alpha) == Approx(closed.g1(c.wi, c.alpha)).epsilon(1e-10));
     CHECK(slopes->d(c.wi, c.alpha) == Approx(closed.d(c.wi, c.alpha)).epsilon(1e-10));
   }
-  CHECK(slopes->g1({1, 0, 0}, {0.5, 0.5}) == 0);
-  CHECK(slopes->d({1, 0, 0}, {0.5, 0.5}) == 0);
+  CHECK(slopes->g1({1, 0, 0}, Alpha<double>{0.5, 0.5}) == 0);
+  CHECK(slopes->d({1, 0, 0}, Alpha<double>{0.5, 0.5}) == 0);
 }
 
 TEST_CASE("the stretched frame turns a slope into a normal and back") {

@@ -6,7 +6,7 @@
 
 #include "vndf/precompute/marginal_distribution.h"
 #include "vndf/support/text.h"
-#include "vndf/validate/checks/distribution_check.h"
+#include "vndf/validate/checks/configurations.h"
 #include "vndf/validate/checks/worst_over.h"
 #include "vndf/validate/exact/exact_conditional.h"
 #include "vndf/validate/statistics/quasi_random.h"
@@ -57,7 +57,7 @@ double condition_number(const SamplerUnderTest& sampler, const Configuration& c,
 
 Difference compare(const SamplerUnderTest& sampler, const Configuration& c, std::size_t points) {
   const ExactDistribution distribution(*sampler.exact, sampler.claims.normals, c);
-  const double step = std::min(sampler.bounds.u_error, kLargestStep);
+  const double step = std::min(sampler.bounds_at(c).u_error, kLargestStep);
   Difference worst;
   for (std::size_t k = 0; k < points; ++k) {
     const RandomPair u = quasi_random_point(k);
@@ -88,13 +88,15 @@ Vec3<double> exact_normal(const ExactSlopes& exact, const Configuration& c, doub
 
 std::vector<CheckResult> cross_check(const SamplerUnderTest& sampler, std::size_t points,
                                      const support::Workers& workers) {
-  auto list = check_configurations();
+  auto list = check_configurations(sampler);
   std::erase_if(list, [&](const Configuration& c) { return !sampler.claims.inverse_at(c); });
-  const Difference all = worst_over(
-      list, workers, [&](const Configuration& c) { return compare(sampler, c, points); });
-  CheckResult f = all.u.result("cross-check", "difference in u", sampler.bounds.u_error);
-  f.note = "angle up to " + support::rounded_text(all.angle.measured) + " rad";
-  return {f};
+  return on_both_sides(sampler, list, [&](const Side& side) {
+    const Difference all = worst_over(
+        side.list, workers, [&](const Configuration& c) { return compare(sampler, c, points); });
+    CheckResult f = all.u.result("cross-check", "difference in u", side.bounds.u_error);
+    f.note = "angle up to " + support::rounded_text(all.angle.measured) + " rad";
+    return std::vector{f};
+  });
 }
 
 }  // namespace vndf::validate

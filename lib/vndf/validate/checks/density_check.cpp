@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "vndf/validate/checks/distribution_check.h"
+#include "vndf/validate/checks/configurations.h"
 #include "vndf/validate/checks/worst_over.h"
 #include "vndf/validate/exact/normal_quadrature.h"
 #include "vndf/validate/statistics/density_distance.h"
@@ -30,7 +30,10 @@ struct DensityErrors {
 class DensityCheck {
  public:
   DensityCheck(const SamplerUnderTest& sampler, const Configuration& c)
-      : sampler_(sampler), c_(c), distribution_(*sampler.exact, sampler.claims.normals, c) {}
+      : sampler_(sampler),
+        c_(c),
+        surface_(c.surface()),
+        distribution_(*sampler.exact, sampler.claims.normals, c) {}
 
   DensityErrors measure() {
     measure_integral();
@@ -57,25 +60,27 @@ class DensityCheck {
     std::vector<double> pdf(kNormals), d(kNormals);
     sampler_.sample(c_, u, wm);
     sampler_.pdf(c_, wm, pdf);
-    sampler_.d(c_.alpha, wm, d);
+    sampler_.d(surface_, wm, d);
     for (std::size_t k = 0; k < kNormals; ++k) {
       if (wm[k].z < kSmallestHeight) continue;
       const Place place = place_of(c_, u[k].x, u[k].y);
       const auto pdf_of = [&](const auto& m) { return distribution_.pdf(m); };
       const auto facing = [&](const auto& m) { return distribution_.facing_pdf(m); };
-      const auto d_of = [&](const auto& m) { return sampler_.exact->d(m, c_.alpha); };
-      errors_.pdf.see(density_distance(pdf[k], wm[k], pdf_of, facing), place);
-      errors_.d.see(density_distance(d[k], wm[k], d_of, d_of), place);
+      const auto d_of = [&](const auto& m) { return sampler_.exact->d(m, surface_); };
+      errors_.pdf.see(density_distance(pdf[k], wm[k], surface_, pdf_of, facing), place);
+      errors_.d.see(density_distance(d[k], wm[k], surface_, d_of, d_of), place);
     }
   }
 
   void measure_shadowing() {
-    if (c_.wi.z == 0) return;  // Lambda is infinite
-    const double lambda = sampler_.exact->lambda(c_.wi, c_.alpha);
-    errors_.lambda.see(std::abs(sampler_.lambda(c_) - lambda) / (1 + lambda), place_of(c_));
+    if (c_.height() == 0) return;  // Lambda is infinite
+    const double lambda = sampler_.exact->lambda(c_.wi, surface_);
+    const auto rounded = [&](double error) { return without_height_rounding(error, c_); };
+    errors_.lambda.see(rounded(std::abs(sampler_.lambda(c_) - lambda) / (1 + lambda)),
+                       place_of(c_));
     if (sampler_.claims.normals == SampledNormals::visible_v_cavity)
       return;  // its G1 is not Smith's
-    errors_.g1.see(std::abs(sampler_.g1(c_) * (1 + lambda) - 1), place_of(c_));
+    errors_.g1.see(rounded(std::abs(sampler_.g1(c_) * (1 + lambda) - 1)), place_of(c_));
   }
 
   Vec2<double> slope(double u1, double u2) const {
@@ -116,6 +121,7 @@ class DensityCheck {
 
   const SamplerUnderTest& sampler_;
   Configuration c_;
+  ExactSurface surface_;
   ExactDistribution distribution_;
   DensityErrors errors_;
 };
@@ -128,20 +134,22 @@ bool tells_density(const SamplerUnderTest& sampler) {
 
 std::vector<CheckResult> check_density(const SamplerUnderTest& sampler,
                                        const support::Workers& workers) {
-  const DensityErrors all =
-      worst_over(check_configurations(), workers,
-                 [&](const Configuration& c) { return DensityCheck(sampler, c).measure(); });
-  const Bounds& b = sampler.bounds;
-  std::vector<CheckResult> results{
-      all.integral.result(kCheck, "integral of pdf - 1", b.function_error),
-      all.pdf.result(kCheck, "pdf of sampled normals", b.function_error),
-      all.d.result(kCheck, "D", b.function_error),
-      all.lambda.result(kCheck, "Lambda", b.function_error)};
-  if (sampler.claims.normals != SampledNormals::visible_v_cavity)
-    results.push_back(all.g1.result(kCheck, "G1", b.function_error));
-  if (sampler.claims.monotone_inverse && tells_density(sampler))
-    results.push_back(all.jacobian.result(kCheck, "pdf times |Jacobian| - 1", b.density_error));
-  return results;
+  return on_both_sides(sampler, check_configurations(sampler), [&](const Side& side) {
+    const DensityErrors all = worst_over(side.list, workers, [&](const Configuration& c) {
+      return DensityCheck(sampler, c).measure();
+    });
+    const Bounds& b = side.bounds;
+    std::vector<CheckResult> results{
+        all.integral.result(kCheck, "integral of pdf - 1", b.function_error),
+        all.pdf.result(kCheck, "pdf of sampled normals", b.function_error),
+        all.d.result(kCheck, "D", b.function_error),
+        all.lambda.result(kCheck, "Lambda", b.function_error)};
+    if (sampler.claims.normals != SampledNormals::visible_v_cavity)
+      results.push_back(all.g1.result(kCheck, "G1", b.function_error));
+    if (sampler.claims.monotone_inverse && tells_density(sampler))
+      results.push_back(all.jacobian.result(kCheck, "pdf times |Jacobian| - 1", b.density_error));
+    return results;
+  });
 }
 
 }  // namespace vndf::validate

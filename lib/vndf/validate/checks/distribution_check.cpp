@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <mutex>
 
+#include "vndf/validate/checks/configurations.h"
 #include "vndf/validate/statistics/block_random.h"
 
 namespace vndf::validate {
@@ -29,14 +30,16 @@ void count_block(const SamplerUnderTest& sampler, const Configuration& c,
   }
 }
 
-UniformCounts count(const SamplerUnderTest& sampler, const Configuration& c, std::uint64_t index,
-                    const DistributionCheckOptions& options) {
+/// The counts at configuration `index` of `list`.
+UniformCounts count(const SamplerUnderTest& sampler, const std::vector<Configuration>& list,
+                    std::size_t index, const DistributionCheckOptions& options) {
+  const Configuration& c = list[index];
   const ExactDistribution distribution(*sampler.exact, sampler.claims.normals, c);
   const BinCounts bins = bins_for(options.samples);
   UniformCounts all(bins);
   std::mutex mutex;  // guards `all`
   const std::uint64_t blocks = (options.samples + kBlock - 1) / kBlock;
-  const auto workers = part_of(options.workers, index, check_configurations().size());
+  const auto workers = part_of(options.workers, index, list.size());
   support::parallel_for(blocks, workers, [&](std::size_t block) {
     UniformCounts counts(bins);
     count_block(sampler, c, distribution, BlockRandom(options.seed, index, block),
@@ -49,33 +52,14 @@ UniformCounts count(const SamplerUnderTest& sampler, const Configuration& c, std
 
 }  // namespace
 
-const std::vector<Configuration>& check_configurations() {
-  static const std::vector<Configuration> list{at_angles(0, 0, 0.5, 0.5),
-                                               at_angles(1e-3, 70, 1, 1),
-                                               at_angles(0.25, 0, 1, 1),
-                                               at_angles(10, 20, 0.1, 0.1),
-                                               at_angles(30, 45, 2, 1),
-                                               at_angles(45, 300, 0.001, 0.001),
-                                               at_angles(50, 160, 0.01, 5),
-                                               at_angles(60, 45, 2, 1),
-                                               at_angles(75, 100, 0.3, 0.9),
-                                               at_angles(80, 0, 10, 10),
-                                               at_angles(85, 0, 1, 1),
-                                               at_angles(89, 200, 0.2, 0.2),
-                                               at_angles(89.9, 10, 1, 0.01),
-                                               at_angles(89.999, 0, 0.5, 0.5),
-                                               at_angles(90 - 1e-7, 120, 0.7, 2),
-                                               at_angles(90, 30, 1, 1)};
-  return list;
-}
-
 std::vector<CheckResult> check_distribution(const SamplerUnderTest& sampler,
                                             const DistributionCheckOptions& options) {
   std::vector<CheckResult> all;
-  const auto& list = check_configurations();
+  const auto list = check_configurations(sampler);
   for (std::size_t i = 0; i < list.size(); ++i) {
-    const UniformCounts counts = count(sampler, list[i], i, options);
-    const auto here = counts.results(sampler.bounds.declared, "distribution", place_of(list[i]));
+    const UniformCounts counts = count(sampler, list, i, options);
+    const auto here =
+        counts.results(sampler.bounds_at(list[i]).declared, "distribution", place_of(list[i]));
     merge_results(all, here);
     // Every configuration has the same tests, so the bound is known from the first on.
     bound_probabilities(all, options.significance, list.size() * number_of_tests(here));

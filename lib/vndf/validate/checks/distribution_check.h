@@ -29,12 +29,8 @@ struct DistributionCheckOptions {
   support::Workers workers = {};
 };
 
-/// The configurations at which density, furnace, quasi-random, cross- and distribution checks are
-/// made: from the pole to the horizon, smooth to rough, with anisotropy up to 1:500.
-const std::vector<Configuration>& check_configurations();
-
-/// One result for each statistic of uniformity.h: its smallest p-value over all configurations,
-/// with the bound that follows from the significance.
+/// One result for each statistic of uniformity.h: its smallest p-value over all configurations of
+/// check_configurations(), with the bound that follows from the significance.
 std::vector<CheckResult> check_distribution(const SamplerUnderTest& sampler,
                                             const DistributionCheckOptions& options);
 

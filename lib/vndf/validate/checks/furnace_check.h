@@ -2,11 +2,12 @@
 // section 2). A surface that sends out more than comes in makes light in every bounce.
 //
 //   projected area       int D(wm) wm.z dwm = 1
-//   visible area         int dot(wi, wm)+ D(wm) dwm = wi.z / G1(wi)
+//   visible area         int dot(wi, wm)+ D(wm) dwm = wi.z / G1(wi), and |wi.z| Lambda(wi) below
 //   reciprocity          G2(wi, wo, wm) = G2(wo, wi, wm), above and below the horizon
 //   energy               int f(wi, wo) |wo.z| dwo <= 1, for facets of a perfect mirror and of glass
 //
-// all with the sampler's own D and G1. The second, divided by its right side, is the weak white
+// all with the sampler's own D, Lambda and G1; wi.z and wo.z stand for what the mean facet shows to
+// the direction. The second, divided by its right side, is the weak white
 // furnace test in the measure of half vectors: a surface that absorbs nothing and has no shadowing
 // reflects all that it does not mask. With shadowing the rest is light that would be scattered
 // again, so that the energy may be less than 1, never more.

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "vndf/validate/checks/distribution_check.h"
+#include "vndf/validate/checks/configurations.h"
 #include "vndf/validate/checks/worst_over.h"
 #include "vndf/validate/statistics/quasi_random.h"
 
@@ -42,14 +42,15 @@ Distances measure(const SamplerUnderTest& sampler, const Configuration& c, std::
 
 std::vector<CheckResult> check_quasi_random(const SamplerUnderTest& sampler, std::size_t points,
                                             const support::Workers& workers) {
-  const Distances all = worst_over(check_configurations(), workers, [&](const Configuration& c) {
-    return measure(sampler, c, points);
+  const double left = kQuasiRandomError * std::pow(static_cast<double>(points), -0.75);
+  return on_both_sides(sampler, check_configurations(sampler), [&](const Side& side) {
+    const Distances all = worst_over(
+        side.list, workers, [&](const Configuration& c) { return measure(sampler, c, points); });
+    const double bound = std::max(side.bounds.u_error, side.bounds.declared.u) + left;
+    return std::vector{all.r.result("quasi-random", "radius, distance of cdfs", bound),
+                       all.phi.result("quasi-random", "azimuth, distance of cdfs", bound),
+                       all.x.result("quasi-random", "slope x, distance of cdfs", bound)};
   });
-  const double bound = std::max(sampler.bounds.u_error, sampler.bounds.declared.u) +
-                       kQuasiRandomError * std::pow(static_cast<double>(points), -0.75);
-  return {all.r.result("quasi-random", "radius, distance of cdfs", bound),
-          all.phi.result("quasi-random", "azimuth, distance of cdfs", bound),
-          all.x.result("quasi-random", "slope x, distance of cdfs", bound)};
 }
 
 }  // namespace vndf::validate

@@ -6,6 +6,7 @@
 
 #include "vndf/precompute/map_errors.h"
 #include "vndf/support/low_discrepancy.h"
+#include "vndf/validate/checks/configurations.h"
 #include "vndf/validate/checks/map_row.h"
 #include "vndf/validate/checks/worst_over.h"
 
@@ -153,39 +154,27 @@ class Row {
 
 }  // namespace
 
-std::vector<Configuration> inverse_configurations() {
-  std::vector<Configuration> list;
-  for (const double theta :
-       {0.0,  1e-7, 1e-4, 1e-2, 0.05,  0.1,   0.2,    0.25,    0.3,       0.7,  2.0,  5.0,
-        10.0, 17.0, 25.0, 34.0, 45.0,  52.0,  60.0,   68.0,    75.0,      80.0, 84.0, 87.0,
-        88.5, 89.2, 89.7, 89.9, 89.97, 89.99, 89.999, 89.9999, 90 - 1e-7, 90.0})
-    list.push_back(at_angles(theta, 0, 1, 1));
-  for (const double theta : {20.0, 55.0, 82.0, 89.5}) {
-    list.push_back(at_angles(theta, 90, 0.3, 0.9));
-    list.push_back(at_angles(theta, 0, 0.002, 2));
-    list.push_back(at_angles(theta, 33, 0.05, 0.4));
-  }
-  return list;
-}
-
 std::vector<CheckResult> check_u_error(const SamplerUnderTest& sampler,
                                        const UErrorOptions& options) {
-  auto list = inverse_configurations();
-  std::erase_if(list, [&](const Configuration& c) { return !sampler.claims.inverse_at(c); });
+  const auto list = inverse_configurations(sampler);
   std::vector<Configuration> chosen;
   for (std::size_t i = 0; i < list.size(); i += options.stride) chosen.push_back(list[i]);
-  const MapErrors all = worst_over(chosen, options.workers, [&](const Configuration& c) {
-    return Row(sampler, c).measure(options);
+  return on_both_sides(sampler, chosen, [&](const Side& side) {
+    const MapErrors all = worst_over(side.list, options.workers, [&](const Configuration& c) {
+      return Row(sampler, c).measure(options);
+    });
+    const Bounds& bounds = side.bounds;
+    const double step = kStep + side.rounding;
+    return std::vector{
+        all.x.body.result(kCheck, "u-error of slope x", bounds.u_error),
+        all.x.tails.result(kCheck, "u-error of slope x, tails", bounds.u_error),
+        all.y.body.result(kCheck, "u-error of slope y", bounds.u_error),
+        all.y.tails.result(kCheck, "u-error of slope y, tails", bounds.u_error),
+        all.ratio_x.result(kCheck, "tail mass / 2^-20 - 1, slope x", bounds.tail_error),
+        all.ratio_y.result(kCheck, "tail mass / 2^-20 - 1, slope y", bounds.tail_error),
+        all.backward.result(kCheck, "steps back (monotone)", step),
+        all.jump.result(kCheck, "jumps (continuous)", step)};
   });
-  const Bounds& bounds = sampler.bounds;
-  return {all.x.body.result(kCheck, "u-error of slope x", bounds.u_error),
-          all.x.tails.result(kCheck, "u-error of slope x, tails", bounds.u_error),
-          all.y.body.result(kCheck, "u-error of slope y", bounds.u_error),
-          all.y.tails.result(kCheck, "u-error of slope y, tails", bounds.u_error),
-          all.ratio_x.result(kCheck, "tail mass / 2^-20 - 1, slope x", bounds.tail_error),
-          all.ratio_y.result(kCheck, "tail mass / 2^-20 - 1, slope y", bounds.tail_error),
-          all.backward.result(kCheck, "steps back (monotone)", kStep),
-          all.jump.result(kCheck, "jumps (continuous)", kStep)};
 }
 
 }  // namespace vndf::validate

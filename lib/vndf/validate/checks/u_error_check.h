@@ -31,12 +31,9 @@ inline constexpr double kStep = 4e-6;
 
 /// The u-errors of both slopes, apart for u within [2^-20, 1 - 2^-20] and for the tails beyond,
 /// where published samplers end; the mass of the tails beyond u = 2^-20; and whether the map is
-/// monotone and continuous. Bounds: Bounds::u_error, Bounds::tail_error and kStep.
+/// monotone and continuous, over inverse_configurations(). Bounds: Bounds::u_error,
+/// Bounds::tail_error and kStep.
 std::vector<CheckResult> check_u_error(const SamplerUnderTest& sampler,
                                        const UErrorOptions& options);
-
-/// The configurations at which maps are checked. Most have roughness 1 and an azimuth along an
-/// axis, so that stretch and rotation add no rounding to the slopes.
-std::vector<Configuration> inverse_configurations();
 
 }  // namespace vndf::validate

@@ -45,71 +45,82 @@ ExactSlopes::ExactSlopes(std::unique_ptr<const distributions::SlopeDistribution>
       slopes_(*distribution_, {}),
       all_radii_(slopes_, bounded_cotangent(1.0, 0.0)) {}
 
-double ExactSlopes::d(const Vec3<double>& wm, const Alpha<double>& alpha) const {
+double ExactSlopes::d(const Vec3<double>& wm, const ExactSurface& surface) const {
   const double mu = slopes_.mean_slope();
   if (!(wm.z > 0)) return 0;
-  const double r = std::hypot(wm.x / alpha.x, wm.y / alpha.y) / (mu * wm.z);
+  const Vec2<double> s = surface.unit_slope(wm);
+  const double r = std::hypot(s.x, s.y) / (mu * wm.z);
   const double square = wm.z * wm.z;
-  return slopes_.p22(r) / (mu * mu * alpha.x * alpha.y * square * square);
+  return slopes_.p22(r) / (mu * mu * surface.determinant() * square * square);
 }
 
-double ExactSlopes::visible_area(const Vec3<double>& w, const Alpha<double>& alpha) const {
-  const double horizontal = slopes_.mean_slope() * std::hypot(alpha.x * w.x, alpha.y * w.y);
-  const double above = std::max(w.z, 0.0);
+double ExactSlopes::visible_area(const Vec3<double>& w, const ExactSurface& surface) const {
+  const double horizontal = slopes_.mean_slope() * surface.horizontal(w);
+  const double height = surface.height(w), above = std::max(height, 0.0);
   if (horizontal == 0) return above;
-  return above + horizontal * slopes_.backfacing(std::abs(w.z) / horizontal).value;
+  return above + horizontal * slopes_.backfacing(std::abs(height) / horizontal).value;
 }
 
-double ExactSlopes::lambda(const Vec3<double>& w, const Alpha<double>& alpha) const {
-  const double horizontal = slopes_.mean_slope() * std::hypot(alpha.x * w.x, alpha.y * w.y);
+double ExactSlopes::unit_visible_area(const Vec3<double>& w, const ExactSurface& surface) const {
+  const double horizontal = slopes_.mean_slope() * surface.horizontal(w);
+  return visible_area(w, surface) / std::hypot(horizontal, surface.height(w));
+}
+
+double ExactSlopes::lambda(const Vec3<double>& w, const ExactSurface& surface) const {
+  const double horizontal = slopes_.mean_slope() * surface.horizontal(w);
+  const double height = std::abs(surface.height(w));
   if (horizontal == 0) return 0;
-  return horizontal * slopes_.backfacing(w.z / horizontal).value / w.z;
+  return horizontal * slopes_.backfacing(height / horizontal).value / height;
 }
 
-double ExactSlopes::g1(const Vec3<double>& w, const Alpha<double>& alpha) const {
-  return w.z / visible_area(w, alpha);
+double ExactSlopes::g1(const Vec3<double>& w, const ExactSurface& surface) const {
+  return 1 / (1 + lambda(w, surface));
 }
 
 StretchedFrame::StretchedFrame(const ExactSlopes& exact, const Configuration& c)
-    : ax_(c.alpha.x * exact.unit_slopes().mean_slope()),
-      ay_(c.alpha.y * exact.unit_slopes().mean_slope()),
-      cos_(1),
-      sin_(0) {
-  const double x = ax_ * c.wi.x, y = ay_ * c.wi.y;
-  const double length = std::hypot(x, y);
-  if (length > 0) {
-    cos_ = x / length;
-    sin_ = y / length;
-  }
-  cotangent_ = bounded_cotangent(c.wi.z, length);
+    : surface_(c.surface()), mean_slope_(exact.unit_slopes().mean_slope()) {
+  const Vec3<double> w = surface_.stretched(c.wi);
+  const double length = std::hypot(w.x, w.y);
+  const Vec2<double> x = length > 0 ? Vec2<double>{w.x / length, w.y / length} : surface_.along_x();
+  cos_ = x.x;
+  sin_ = x.y;
+  cotangent_ = bounded_cotangent(w.z, mean_slope_ * length);
 }
 
 StretchedSlope StretchedFrame::slope_of(const Vec3<double>& wm) const {
-  const double x = -wm.x / ax_, y = -wm.y / ay_;
+  const Vec2<double> s = surface_.unit_slope(wm);
+  const double x = s.x / mean_slope_, y = s.y / mean_slope_;
   return {cos_ * x + sin_ * y, cos_ * y - sin_ * x, wm.z};
 }
 
 Vec3<double> StretchedFrame::normal_of(const StretchedSlope& s) const {
-  const double x = ax_ * (cos_ * s.x - sin_ * s.y), y = ay_ * (sin_ * s.x + cos_ * s.y);
-  const double length = std::hypot(x, y, s.w);
-  return {-x / length, -y / length, s.w / length};
+  const double x = mean_slope_ * (cos_ * s.x - sin_ * s.y);
+  const double y = mean_slope_ * (sin_ * s.x + cos_ * s.y);
+  const Vec3<double> m = surface_.normal_of({x, y}, s.w);
+  const double length = std::hypot(m.x, m.y, m.z);
+  return {m.x / length, m.y / length, m.z / length};
+}
+
+double StretchedFrame::rounding(const StretchedSlope& s) const {
+  const double factor = surface_.rounding();
+  return factor * s.horizontal() / s.w + (factor - 1) / mean_slope_;
 }
 
 double StretchedFrame::jacobian(const Vec3<double>& wm) const {
-  return ax_ * ay_ * wm.z * wm.z * wm.z;
+  return surface_.determinant() * mean_slope_ * mean_slope_ * wm.z * wm.z * wm.z;
 }
 
 ExactDistribution::ExactDistribution(const ExactSlopes& exact, SampledNormals kind,
-                                     const Configuration& configuration, Use use)
+                                     const Configuration& c, Use use)
     : exact_(exact),
       kind_(kind),
-      configuration_(configuration),
-      frame_(exact, configuration),
+      wi_(c.wi),
+      surface_(c.surface()),
+      frame_(exact, c),
+      height_(c.height()),
       cosine_(frame_.cotangent().numerator() / frame_.cotangent().hypotenuse()),
       sine_(frame_.cotangent().denominator() / frame_.cotangent().hypotenuse()),
-      area_(kind == SampledNormals::visible_smith
-                ? exact.visible_area(configuration.wi, configuration.alpha)
-                : configuration.wi.z),
+      area_(kind == SampledNormals::visible_smith ? exact.visible_area(wi_, surface_) : height_),
       own_radii_(kind == SampledNormals::visible_smith && use == Use::many
                      ? std::make_unique<RadialDistribution>(exact.unit_slopes(), frame_.cotangent())
                      : nullptr),
@@ -157,12 +168,12 @@ Uniforms ExactDistribution::uniforms(const Vec3<double>& wm, double v) const {
 }
 
 double ExactDistribution::pdf_if_seen(const Vec3<double>& wm, double cosine) const {
-  const double d = exact_.d(wm, configuration_.alpha), z = configuration_.wi.z;
+  const double d = exact_.d(wm, surface_);
   if (kind_ == SampledNormals::all) return d * wm.z;
   if (!(cosine > 0)) return 0;
   if (kind_ == SampledNormals::visible_smith) return d * cosine / area_;
-  // At the horizon every facet that is seen is masked by its twin.
-  return d * (z > 0 ? std::min(cosine / z, 2 * wm.z) : 2 * wm.z);
+  // Along the surface every facet that is seen is masked by its twin.
+  return d * (height_ > 0 ? std::min(cosine / height_, 2 * wm.z) : 2 * wm.z);
 }
 
 double ExactDistribution::facing_pdf(const Vec3<double>& wm) const {
@@ -170,7 +181,7 @@ double ExactDistribution::facing_pdf(const Vec3<double>& wm) const {
 }
 
 double ExactDistribution::pdf(const Vec3<double>& wm) const {
-  return pdf_if_seen(wm, dot(configuration_.wi, wm));
+  return pdf_if_seen(wm, dot(wi_, wm));
 }
 
 }  // namespace vndf::validate

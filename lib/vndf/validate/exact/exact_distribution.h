@@ -39,7 +39,8 @@ namespace vndf::validate {
 /// The normals that a sampler claims to draw.
 enum class SampledNormals {
   visible_smith,     ///< D_wi of Smith's surface (Heitz and d'Eon 2014, equation 2)
-  visible_v_cavity,  ///< D_wi of V-cavities: weight min(dot(wi, wm)+, 2 wi.z wm.z) / wi.z
+  visible_v_cavity,  ///< D_wi of V-cavities: weight min(dot(wi, wm)+, 2 wi.z wm.z) / wi.z, where
+                     ///< wi.z stands for Configuration::height()
   all                ///< D(wm) wm.z, whatever wi (Algorithm 1)
 };
 
@@ -56,15 +57,19 @@ class ExactSlopes {
   /// The distribution of the radius of all slopes, visible or not.
   const RadialDistribution& all_radii() const { return all_radii_; }
 
-  /// D(wm) per solid angle, Smith's Lambda(w) and G1(w) from their definitions, at roughness
-  /// `alpha` > 0. `wm` and `w` are unit vectors; D is 0 for wm.z <= 0. Valid for w.z >= 0, where
-  /// Lambda is infinite and G1 is 0 at the horizon.
-  double d(const Vec3<double>& wm, const Alpha<double>& alpha) const;
-  double lambda(const Vec3<double>& w, const Alpha<double>& alpha) const;
-  double g1(const Vec3<double>& w, const Alpha<double>& alpha) const;
-  /// The projected area of the facets that face w, a unit vector on either side of the horizon:
+  /// D(wm) per solid angle of a surface; 0 for wm.z <= 0. `wm` is a unit vector.
+  double d(const Vec3<double>& wm, const ExactSurface& surface) const;
+  /// Smith's Lambda(w) and G1(w) of the unit vector w, or of its mirror where w is below the
+  /// surface, from their definitions. They are relative to the mean facet: w.z is
+  /// ExactSurface::height(w). Along the surface Lambda is infinite and G1 is 0.
+  double lambda(const Vec3<double>& w, const ExactSurface& surface) const;
+  double g1(const Vec3<double>& w, const ExactSurface& surface) const;
+  /// The projected area of the facets that face w, a unit vector on either side of the surface:
   /// w.z / G1(w) above it.
-  double visible_area(const Vec3<double>& w, const Alpha<double>& alpha) const;
+  double visible_area(const Vec3<double>& w, const ExactSurface& surface) const;
+  /// The same per length of the stretched direction, in units of the mean slope, so that it does
+  /// not depend on roughness: sin t E[(cot t - X)+] at the angle t of that direction.
+  double unit_visible_area(const Vec3<double>& w, const ExactSurface& surface) const;
 
  private:
   std::unique_ptr<const distributions::SlopeDistribution> distribution_;
@@ -79,8 +84,9 @@ struct StretchedSlope {
   double horizontal() const { return std::hypot(x, y); }
 };
 
-/// The frame in which the stretched incident direction has no y: there slopes of every roughness
-/// and azimuth have one distribution for each cotangent.
+/// The frame in which the stretched incident direction has no y: there slopes of every surface and
+/// azimuth have one distribution for each cotangent. Where the stretched direction is vertical, the
+/// slope x of the frame is that along the x axis of the surface.
 class StretchedFrame {
  public:
   StretchedFrame(const ExactSlopes& exact, const Configuration& configuration);
@@ -91,11 +97,14 @@ class StretchedFrame {
   StretchedSlope slope_of(const Vec3<double>& wm) const;
   /// The unit normal of a slope, the inverse of slope_of().
   Vec3<double> normal_of(const StretchedSlope& slope) const;
+  /// By how much `slope` changes for each part of 1 by which the slopes of a normal are rounded.
+  double rounding(const StretchedSlope& slope) const;
   /// d(solid angle) / d(slope) at `wm`: the density of slopes is that of normals times this.
   double jacobian(const Vec3<double>& wm) const;
 
  private:
-  double ax_, ay_, cos_, sin_;
+  ExactSurface surface_;
+  double mean_slope_, cos_, sin_;
   BoundedSlope<double> cotangent_;
 };
 
@@ -115,8 +124,8 @@ enum class Use {
   few    ///< each radius is an integral of its own, of some 10 microseconds
 };
 
-/// The exact distribution of the normals of `kind` at one configuration, of Smith's surface from
-/// below the horizon too where something is visible.
+/// The exact distribution of the normals of `kind` at one configuration, of Smith's model from
+/// below the surface too where something is visible.
 class ExactDistribution {
  public:
   /// `exact` must outlive this object.
@@ -146,9 +155,10 @@ class ExactDistribution {
 
   const ExactSlopes& exact_;
   SampledNormals kind_;
-  Configuration configuration_;
+  Vec3<double> wi_;
+  ExactSurface surface_;
   StretchedFrame frame_;
-  double cosine_, sine_, area_;
+  double height_, cosine_, sine_, area_;
   std::unique_ptr<const RadialDistribution> own_radii_;
   precompute::MarginalDistribution visible_;
 };

@@ -38,14 +38,17 @@ Rule rule() {
   return r;
 }
 
-/// The larger density of the two normals along the axes whose stretched slope is sinh(a).
+/// The largest density of the four normals along the axes of the stretch whose stretched slope is
+/// sinh(a).
 double steepest_density(const ExactSlopes& exact, const Configuration& c, double a) {
   const double r = std::sinh(a) * exact.unit_slopes().mean_slope();
+  const ExactSurface surface = c.surface();
   const auto d = [&](double x, double y) {
-    const double length = std::hypot(x, y, 1);
-    return exact.d({x / length, y / length, 1 / length}, c.alpha);
+    const Vec3<double> m = surface.normal_of({x, y}, 1);
+    const double length = std::hypot(m.x, m.y, m.z);
+    return exact.d({m.x / length, m.y / length, m.z / length}, surface);
   };
-  return std::max(d(r * c.alpha.x, 0), d(0, r * c.alpha.y)) / exact.visible_area(c.wi, c.alpha);
+  return std::max({d(r, 0), d(-r, 0), d(0, r), d(0, -r)}) / exact.visible_area(c.wi, surface);
 }
 
 /// asinh of the largest radius: all but kUncovered of the mass, or what single precision carries.

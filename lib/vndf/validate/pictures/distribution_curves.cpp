@@ -28,7 +28,7 @@ double farthest_radius(const ExactSlopes& exact) {
 
 double d_of(const SamplerUnderTest& sampler, double alpha, const Vec3<double>& wm) {
   double d = 0;
-  sampler.d({alpha, alpha}, {&wm, 1}, {&d, 1});
+  sampler.d(Alpha<double>{alpha, alpha}, {&wm, 1}, {&d, 1});
   return d;
 }
 

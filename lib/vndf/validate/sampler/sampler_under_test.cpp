@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <limits>
 #include <numbers>
 
+#include "vndf/pair_coordinates.h"
 #include "vndf/tabulated_sampler.h"
 
 namespace vndf::validate {
@@ -71,9 +73,13 @@ class SharedKernel {
   T pdf(const Vec3<T>& wi, const Vec3<T>& wm, const Alpha<T>& alpha) const noexcept {
     return T{kernel_.pdf(vector_of<float>(wi), vector_of<float>(wm), narrow(alpha))};
   }
-  double sampled_density(const Vec3<T>& wi, const Alpha<T>& alpha, T u1, T u2) const noexcept {
-    return double{kernel_.sample_with_density(wi, alpha, u1, u2).pdf};
+  /// On a surface renderers call the kernel's own function, so that is what is judged.
+  Vec3<T> sample(const Vec3<T>& wi, const RoughSurface<T>& surface, T u1,
+                 T u2) const noexcept requires std::same_as<T, float> {
+    return kernel_.sample(wi, surface, u1, u2);
   }
+
+  const Kernel& kernel() const { return kernel_; }
 
  private:
   static Alpha<float> narrow(const Alpha<T>& alpha) {
@@ -85,6 +91,12 @@ class SharedKernel {
 };
 
 }  // namespace
+
+Bounds bounds_below_of(const Certificate& c, std::size_t columns) {
+  Certificate below = c;
+  below.marginal = c.below;
+  return bounds_of(below, columns);
+}
 
 Bounds bounds_of(const Certificate& c, std::size_t columns) {
   const Bounds plain;
@@ -107,23 +119,33 @@ SamplerUnderTest tables_under_test(std::string name, std::shared_ptr<const Exact
                                    std::shared_ptr<const SlopeTables> tables,
                                    const Certificate& certificate) {
   const std::size_t columns = std::max(tables->marginal.columns(), tables->conditional.columns());
-  return under_test(std::move(name), std::move(exact), TabulatedSampler<float>(tables),
-                    TabulatedSampler<double>(tables),
-                    {.normals = SampledNormals::visible_smith, .monotone_inverse = true},
-                    bounds_of(certificate, columns));
+  SamplerUnderTest s = under_test(std::move(name), std::move(exact),
+                                  TabulatedSampler<float>(tables), TabulatedSampler<double>(tables),
+                                  {.normals = SampledNormals::visible_smith,
+                                   .monotone_inverse = true,
+                                   .from_below = PairCoordinates(*tables).reaches_below()},
+                                  bounds_of(certificate, columns));
+  s.bounds_below = bounds_below_of(certificate, columns);
+  return s;
 }
 
 SamplerUnderTest baked_tables_under_test(std::string name, std::shared_ptr<const ExactSlopes> exact,
                                          const KernelTables& tables) {
   const SharedKernel<float> kernel(tables);
+  const std::size_t columns = columns_of(tables.header());
   SamplerUnderTest s =
       under_test(std::move(name), std::move(exact), kernel, SharedKernel<double>(tables),
-                 {.normals = SampledNormals::visible_smith, .monotone_inverse = true},
-                 bounds_of(tables.certificate(), columns_of(tables.header())));
+                 {.normals = SampledNormals::visible_smith,
+                  .monotone_inverse = true,
+                  .from_below = tables.header().below_bytes != 0},
+                 bounds_of(tables.certificate(), columns));
+  s.bounds_below = bounds_below_of(tables.certificate(), columns);
   s.sample_double = {};  // no more exact than the other
   s.sampled_density = [kernel](const Configuration& c, const RandomPair& u) {
-    return kernel.sampled_density(vector_of<float>(c.wi), alpha_of<float>(c.alpha),
-                                  static_cast<float>(u.x), static_cast<float>(u.y));
+    const OnSurface on(kernel.kernel(), rough_surface<float>(c.surface()));
+    const auto drawn = on.sample_with_density(vector_of<float>(c.wi), static_cast<float>(u.x),
+                                              static_cast<float>(u.y));
+    return double{drawn.pdf};
   };
   return s;
 }

@@ -15,7 +15,9 @@
 #include "vndf/bsdf/normal_sampler.h"
 #include "vndf/certificate.h"
 #include "vndf/kernel_tables.h"
+#include "vndf/on_surface.h"
 #include "vndf/slope_tables.h"
+#include "vndf/surface_slopes.h"
 #include "vndf/validate/exact/exact_distribution.h"
 #include "vndf/validate/statistics/uniformity.h"
 
@@ -52,11 +54,13 @@ struct Claims {
   /// Angle of the stretched incident direction, in degrees, from which on it is the monotone
   /// inverse. Published samplers take polar coordinates instead near normal incidence.
   double inverse_from = 0;
+  /// Whether it draws visible normals from below the surface too, wherever kLeastArea of it is
+  /// visible.
+  bool from_below = false;
 
   /// Whether it claims to be the monotone inverse at configuration `c`.
   bool inverse_at(const Configuration& c) const {
-    const double horizontal = std::hypot(c.alpha.x * c.wi.x, c.alpha.y * c.wi.y);
-    return monotone_inverse && std::atan2(horizontal, c.wi.z) / kDegree >= inverse_from;
+    return monotone_inverse && c.surface().stretched_angle(c.wi) / kDegree >= inverse_from;
   }
 };
 
@@ -73,6 +77,10 @@ struct SamplerUnderTest {
   std::shared_ptr<const ExactSlopes> exact;
   Claims claims;
   Bounds bounds;
+  /// The bounds from below the surface.
+  Bounds bounds_below = {};
+  /// The surface that it is checked on where a check asks for a roughness; a flat one if empty.
+  std::function<SurfaceSlopes(const Alpha<double>&)> surface = {};
 
   /// The unit normals of a batch of random pairs.
   std::function<void(const Configuration&, std::span<const RandomPair> u,
@@ -89,12 +97,11 @@ struct SamplerUnderTest {
   std::function<void(const Configuration&, std::span<const Vec3<double>> wm, std::span<double> pdf)>
       pdf;
   /// D at each of `wm`.
-  std::function<void(const Alpha<double>&, std::span<const Vec3<double>> wm, std::span<double> d)>
-      d;
+  std::function<void(const ExactSurface&, std::span<const Vec3<double>> wm, std::span<double> d)> d;
   /// Lambda(wi) and G1(wi).
   std::function<double(const Configuration&)> lambda, g1;
   /// Masking and shadowing of the facet `wm` (bsdf/masking.h), with wi and wo on any side.
-  std::function<double(const Alpha<double>&, const Vec3<double>& wi, const Vec3<double>& wo,
+  std::function<double(const ExactSurface&, const Vec3<double>& wi, const Vec3<double>& wo,
                        const Vec3<double>& wm)>
       g2;
   /// f(wi, wo) |wo.z| of a rough surface of facets that reflect everything, and of one of facets of
@@ -109,6 +116,17 @@ struct SamplerUnderTest {
     sample(c, {&u, 1}, {&wm, 1});
     return wm;
   }
+
+  /// Whether it claims to draw what is seen at `c`. At the limit of visibility the area is that of
+  /// bounded_cotangent(), so nothing is claimed of the last thousandth.
+  bool claims_to_see(const Configuration& c) const {
+    if (c.height() >= 0) return true;
+    return claims.from_below && exact->unit_visible_area(c.wi, c.surface()) > 1.001 * kLeastArea;
+  }
+  /// The bounds at `c`.
+  const Bounds& bounds_at(const Configuration& c) const {
+    return c.height() >= 0 ? bounds : bounds_below;
+  }
 };
 
 /// `v` in precision T.
@@ -122,16 +140,21 @@ Alpha<T> alpha_of(const Alpha<double>& a) {
   return {static_cast<T>(a.x), static_cast<T>(a.y)};
 }
 
+/// The surface in precision T, as a renderer makes it of the same numbers.
+template <class T>
+RoughSurface<T> rough_surface(const ExactSurface& s) {
+  return SurfaceSlopes{s.alpha, s.correlation, s.mean}.surface<T>();
+}
+
 /// A function that calls `sampler`, of precision T, for a batch.
 template <class T, NormalSampler<T> S>
 auto batch_of(const S& sampler) {
   return
       [sampler](const Configuration& c, std::span<const RandomPair> u, std::span<Vec3<double>> wm) {
         const Vec3<T> wi = vector_of<T>(c.wi);
-        const Alpha<T> alpha = alpha_of<T>(c.alpha);
+        const OnSurface on(sampler, rough_surface<T>(c.surface()));
         for (std::size_t k = 0; k < u.size(); ++k)
-          wm[k] = vector_of<double>(
-              sampler.sample(wi, alpha, static_cast<T>(u[k].x), static_cast<T>(u[k].y)));
+          wm[k] = vector_of<double>(on.sample(wi, static_cast<T>(u[k].x), static_cast<T>(u[k].y)));
       };
 }
 
@@ -151,19 +174,22 @@ void evaluate_batch(const Bsdf& bsdf, const Configuration& c, std::span<const Ve
 /// Gives `s` the BSDFs of the surface that `sampler` and the masking model M make.
 template <class T, class M, class S>
 void set_bsdfs_of(SamplerUnderTest& s, const S& sampler) {
-  s.g2 = [sampler](const Alpha<double>& alpha, const Vec3<double>& wi, const Vec3<double>& wo,
+  s.g2 = [sampler](const ExactSurface& surface, const Vec3<double>& wi, const Vec3<double>& wo,
                    const Vec3<double>& wm) {
-    return static_cast<double>(vndf::g2<M>(sampler, vector_of<T>(wi), vector_of<T>(wo),
-                                           vector_of<T>(wm), alpha_of<T>(alpha)));
+    const OnSurface on(sampler, rough_surface<T>(surface));
+    return static_cast<double>(vndf::g2<M>(sampler, on.direction(vector_of<T>(wi)),
+                                           on.direction(vector_of<T>(wo)),
+                                           on.normal(vector_of<T>(wm)).unit, on.surface().alpha()));
   };
   s.mirror = [sampler](const Configuration& c, std::span<const Vec3<double>> wo,
                        std::span<double> f) {
-    const ConductorBrdf brdf(sampler, alpha_of<T>(c.alpha), PerfectMirror<T>{}, M{});
+    const ConductorBrdf brdf(sampler, rough_surface<T>(c.surface()), PerfectMirror<T>{}, M{});
     evaluate_batch<T>(brdf, c, wo, f);
   };
   s.glass = [sampler](const Configuration& c, std::span<const Vec3<double>> wo,
                       std::span<double> f) {
-    const DielectricBsdf bsdf(sampler, alpha_of<T>(c.alpha), static_cast<T>(kGlassIndex), M{});
+    const DielectricBsdf bsdf(sampler, rough_surface<T>(c.surface()), static_cast<T>(kGlassIndex),
+                              M{});
     evaluate_batch<T>(bsdf, c, wo, f);
   };
 }
@@ -186,24 +212,27 @@ SamplerUnderTest under_test(std::string name, std::shared_ptr<const ExactSlopes>
   s.name = std::move(name);
   s.exact = std::move(exact);
   s.claims = claims;
-  s.bounds = bounds;
+  s.bounds = s.bounds_below = bounds;
   s.sample = batch_of<T>(sampler);
   s.pdf = [sampler](const Configuration& c, std::span<const Vec3<double>> wm,
                     std::span<double> pdf) {
+    const OnSurface on(sampler, rough_surface<T>(c.surface()));
     for (std::size_t k = 0; k < wm.size(); ++k)
-      pdf[k] = static_cast<double>(
-          sampler.pdf(vector_of<T>(c.wi), vector_of<T>(wm[k]), alpha_of<T>(c.alpha)));
+      pdf[k] = static_cast<double>(on.pdf(vector_of<T>(c.wi), vector_of<T>(wm[k])));
   };
-  s.d = [sampler](const Alpha<double>& alpha, std::span<const Vec3<double>> wm,
+  s.d = [sampler](const ExactSurface& surface, std::span<const Vec3<double>> wm,
                   std::span<double> d) {
+    const OnSurface on(sampler, rough_surface<T>(surface));
     for (std::size_t k = 0; k < wm.size(); ++k)
-      d[k] = static_cast<double>(sampler.d(vector_of<T>(wm[k]), alpha_of<T>(alpha)));
+      d[k] = static_cast<double>(on.d(vector_of<T>(wm[k])));
   };
   s.lambda = [sampler](const Configuration& c) {
-    return static_cast<double>(sampler.lambda(vector_of<T>(c.wi), alpha_of<T>(c.alpha)));
+    const OnSurface on(sampler, rough_surface<T>(c.surface()));
+    return static_cast<double>(on.lambda(vector_of<T>(c.wi)));
   };
   s.g1 = [sampler](const Configuration& c) {
-    return static_cast<double>(sampler.g1(vector_of<T>(c.wi), alpha_of<T>(c.alpha)));
+    const OnSurface on(sampler, rough_surface<T>(c.surface()));
+    return static_cast<double>(on.g1(vector_of<T>(c.wi)));
   };
   set_bsdfs<T>(s, sampler);
   return s;
@@ -227,6 +256,8 @@ SamplerUnderTest under_test(std::string name, std::shared_ptr<const ExactSlopes>
 /// taken 1.25 times because it was measured at other places, and the rounding of a single-precision
 /// normal.
 Bounds bounds_of(const Certificate& certificate, std::size_t columns);
+/// The same from below the surface, where the marginal has other rows.
+Bounds bounds_below_of(const Certificate& certificate, std::size_t columns);
 
 /// Tables as a renderer runs them, in single precision, with the bounds of `certificate`. `exact`
 /// are the slopes that they were made from, as

@@ -14,14 +14,20 @@ namespace vndf::validate {
 /// factor, some roundings of a single-precision normal.
 inline constexpr double kSlopeRounding = 5e-7;
 
-/// The distance of `given` from the values that `exact` takes at the slopes of `wm` times
-/// 1 -+ kSlopeRounding, relative to the largest value that `scale` takes there: 0 where that is
-/// infinite, and not a number where `given` is none.
+/// The distance of `given` from the values that `exact` takes at the slopes of `wm`, whose distance
+/// from the mean slope of `surface` is taken 1 -+ kSlopeRounding times (more on a surface which
+/// ExactSurface::rounding() tells rounds more), relative to the largest value that `scale` takes
+/// there: 0 where that is infinite, and not a number where `given` is none.
 template <class Exact, class Scale>
-double density_distance(double given, const Vec3<double>& wm, Exact exact, Scale scale) {
+double density_distance(double given, const Vec3<double>& wm, const ExactSurface& surface,
+                        Exact exact, Scale scale) {
+  const double x = surface.mean.x * wm.z, y = surface.mean.y * wm.z;
+  const double rounding = kSlopeRounding * surface.rounding();
   const auto range = [&](auto f) {
-    const auto at = [&](double s) { return f(Vec3<double>{wm.x * s, wm.y * s, wm.z}); };
-    return std::minmax({at(1), at(1 - kSlopeRounding), at(1 + kSlopeRounding)});
+    const auto at = [&](double s) {
+      return f(Vec3<double>{(wm.x + x) * s - x, (wm.y + y) * s - y, wm.z});
+    };
+    return std::minmax({at(1), at(1 - rounding), at(1 + rounding)});
   };
   const auto [low, high] = range(exact);
   const double largest = range(scale).second;
