@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "vndf/provenance.h"
+#include "vndf/surface_slopes.h"
 
 namespace vndf {
 namespace {
@@ -78,6 +79,8 @@ class Checker {
     require(!has_control_character(texts), "a text has a control character");
     for (std::size_t at = h.samples; at < samples_end; at += sizeof(double))
       require(std::isfinite(double_at(bytes_, at)), "a sample is not a finite number");
+    const auto surface = text_at(bytes_, kKernelSurfaceText);
+    require(!surface || surface_slopes_of(*surface), "the surface of the map breaks a rule");
   }
 
   void check_numbers() const {
@@ -290,6 +293,18 @@ double double_at(std::span<const std::byte> bytes, std::size_t at) {
   double value;
   std::memcpy(&value, bytes.data() + at, sizeof value);
   return value;
+}
+
+std::optional<std::string_view> text_at(std::span<const std::byte> block, std::size_t k) {
+  const auto& header = *reinterpret_cast<const KernelHeader*>(block.data());
+  std::string_view rest(reinterpret_cast<const char*>(block.data()) + header.text,
+                        header.text_bytes);
+  for (; !rest.empty(); --k) {
+    const std::string_view text = rest.substr(0, rest.find('\0'));
+    if (k == 0) return text;
+    rest.remove_prefix(text.size() + 1);
+  }
+  return {};
 }
 
 void check_block(std::span<const std::byte> bytes) {

@@ -10,8 +10,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <stdexcept>
+#include <string_view>
 
 #include "vndf/kernel.h"
 
@@ -61,7 +63,7 @@ struct KernelHeader {
       column_offset, column_span, below_most_cotangent, below_least_place, below_slope_most;
   std::uint32_t column_upper, column_mirror, column_roots, slope_upper, separable, reserved;
   kernel::VndfCurve ndf, backfacing;
-  std::uint32_t text, text_bytes;       ///< the texts of KernelText, each with a 0 after it
+  std::uint32_t text, text_bytes;       ///< text_at(), each with a 0 after it
   std::uint32_t certified;              ///< 1 where the certificate was measured of the kernel
   std::uint32_t samples, sample_count;  ///< of the specification, two float64 each: radius, density
   double tolerance;                     ///< for which it was baked, in u
@@ -86,6 +88,13 @@ std::uint64_t kernel_checksum(std::span<const std::byte> block);
 
 /// The number at byte `at` of a block.
 double double_at(std::span<const std::byte> block, std::size_t at);
+
+/// The texts of a block one after the other: the five of KernelText, and where the tables are of a
+/// map the text of its surface (surface_slopes.h).
+inline constexpr std::size_t kKernelSurfaceText = 5;
+
+/// The k-th text of a checked block from 0, or nothing where it has fewer.
+std::optional<std::string_view> text_at(std::span<const std::byte> block, std::size_t k);
 
 /// Throws KernelTablesError unless `bytes` are a block: everything that sampling will read is
 /// inside them and the checksum is right. Allocates nothing unless it throws.

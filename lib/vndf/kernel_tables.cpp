@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "vndf/replace_file.h"
+#include "vndf/surface_slopes.h"
 
 namespace vndf {
 namespace {
@@ -98,6 +99,8 @@ std::string sample_bytes(const Specification& specification) {
 std::string text_bytes(const KernelText& text) {
   std::string bytes;
   for (const std::string* part : parts_of(text)) bytes.append(*part).push_back('\0');
+  if (const auto& surface = text.provenance.surface)
+    bytes.append(text_of(*surface)).push_back('\0');
   return bytes;
 }
 
@@ -129,14 +132,11 @@ Certificate KernelTables::certificate() const {
 }
 
 KernelText KernelTables::text() const {
-  const char* at = reinterpret_cast<const char*>(bytes_.data()) + header().text;
-  const char* end = at + header().text_bytes;
   KernelText text;
-  for (std::string* part : parts_of(text)) {
-    const char* zero = std::find(at, end, '\0');
-    part->assign(at, zero);
-    at = zero == end ? end : zero + 1;
-  }
+  std::size_t k = 0;
+  for (std::string* part : parts_of(text)) *part = text_at(bytes_, k++).value_or("");
+  if (const auto surface = text_at(bytes_, kKernelSurfaceText))
+    text.provenance.surface = surface_slopes_of(*surface);
   Specification& specification = text.provenance.specification;
   for (std::size_t i = 0; i < header().sample_count; ++i) {
     const std::size_t place = header().samples + i * kKernelSampleBytes;

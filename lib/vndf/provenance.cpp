@@ -50,6 +50,8 @@ std::optional<std::string> check(const Provenance& p) {
       {"notes", &p.notes}};
   for (const auto& [name, text] : texts)
     if (auto broken = check_text(name, *text)) return broken;
+  if (p.surface)
+    if (const auto broken = check(*p.surface)) return "of the surface of the map " + *broken;
   return check_samples(p.specification);
 }
 

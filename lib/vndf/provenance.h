@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "vndf/surface_slopes.h"
+
 namespace vndf {
 
 /// Names a slope distribution completely. distributions::make_distribution() makes it.
@@ -31,13 +33,17 @@ struct Provenance {
   std::string command = {};  ///< how the file was made, for people; nothing reads it
   std::string program = {};  ///< name and version of the program that wrote the file
   std::string notes = {};    ///< what was found while it was made, for people; lines, or empty
+  /// The surface of the map that the distribution was estimated from, in units of the distribution:
+  /// what was taken out of the map, so that a renderer can put it back (OnSurface). Nothing where
+  /// the distribution is not from a map.
+  std::optional<SurfaceSlopes> surface = {};
 
   bool operator==(const Provenance&) const = default;
 };
 
 /// Returns the first rule that is broken, for a message, or nothing: as many radii as densities,
 /// kMaxSamples at most and all finite; texts of at most kMaxTextBytes without a zero byte or a
-/// control character.
+/// control character; a surface that check(SurfaceSlopes) accepts.
 std::optional<std::string> check(const Provenance& provenance);
 
 /// The same rule for one text, which the message calls `name`.

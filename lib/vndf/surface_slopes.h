@@ -2,10 +2,9 @@
 // (distributions/slope_map.h) and files store. A sampler needs the RoughSurface that they make.
 #pragma once
 
-#include <cmath>
-#include <numbers>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "vndf/rough_surface.h"
 #include "vndf/vec.h"
@@ -36,26 +35,17 @@ struct SurfaceSlopes {
 /// towards y. Half turns change nothing, and quarter turns exchange the roughness exactly. Where
 /// one roughness is more than 1e7 times the other the correlation may round to 1, which check()
 /// refuses.
-inline SurfaceSlopes turned(const Alpha<double>& alpha, double degrees) {
-  const double least = std::remainder(degrees, 180.0);  // from -90 to 90
-  const bool quarter = std::abs(least) == 90;
-  const double c = quarter ? 0 : std::cos(least * std::numbers::pi / 180);
-  const double s = quarter ? 1 : std::sin(least * std::numbers::pi / 180);
-  const Alpha<double> across{std::hypot(alpha.x * c, alpha.y * s),
-                             std::hypot(alpha.x * s, alpha.y * c)};
-  const double ratios =
-      alpha.x / across.x * (alpha.x / across.y) - alpha.y / across.x * (alpha.y / across.y);
-  return {across, ratios * c * s};
-}
+SurfaceSlopes turned(const Alpha<double>& alpha, double degrees);
 
 /// Returns the first rule that is broken, for a message, or nothing.
-inline std::optional<std::string> check(const SurfaceSlopes& slopes) {
-  const auto& [alpha, correlation, mean] = slopes;
-  const auto is_roughness = [](double a) { return a > 0 && std::isfinite(a); };
-  if (!is_roughness(alpha.x) || !is_roughness(alpha.y)) return "alpha must be finite and > 0";
-  if (!(std::abs(correlation) < 1)) return "the correlation must be inside (-1, 1)";
-  if (!std::isfinite(mean.x) || !std::isfinite(mean.y)) return "the mean slope must be finite";
-  return {};
-}
+std::optional<std::string> check(const SurfaceSlopes& slopes);
+
+/// The form that files hold: alpha.x, alpha.y, correlation, mean.x and mean.y with a blank between
+/// them, each the shortest decimal that reads back as the same number.
+std::string text_of(const SurfaceSlopes& slopes);
+
+/// Inverse of text_of(). Returns nothing for a text that is not five numbers with a blank between
+/// them, or whose numbers break a rule of check(). Allocates nothing for the text of a surface.
+std::optional<SurfaceSlopes> surface_slopes_of(std::string_view text);
 
 }  // namespace vndf

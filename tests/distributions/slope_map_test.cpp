@@ -79,11 +79,11 @@ void check_recovered(const SlopeDistribution& drawn, const Slopes& unit_slopes, 
   const UnitSlopes exact(drawn, {}), measured(*estimate.distribution, {});
   const double alpha_x = kScaleX * exact.mean_slope(), alpha_y = kScaleY * exact.mean_slope();
   CHECK(s.texels == kTexels);
-  CHECK(std::abs(s.mean_x - kMeanX) < kStretchError * alpha_x);
-  CHECK(std::abs(s.mean_y - kMeanY) < kStretchError * alpha_y);
-  CHECK(s.alpha_x == Approx(alpha_x).epsilon(kStretchError));
-  CHECK(s.alpha_y == Approx(alpha_y).epsilon(kStretchError));
-  CHECK(s.correlation == Approx(kCorrelation).margin(kStretchError));
+  CHECK(std::abs(s.surface.mean.x - kMeanX) < kStretchError * alpha_x);
+  CHECK(std::abs(s.surface.mean.y - kMeanY) < kStretchError * alpha_y);
+  CHECK(s.surface.alpha.x == Approx(alpha_x).epsilon(kStretchError));
+  CHECK(s.surface.alpha.y == Approx(alpha_y).epsilon(kStretchError));
+  CHECK(s.surface.correlation == Approx(kCorrelation).margin(kStretchError));
   CHECK(s.asymmetry < 0.01);
   CHECK(s.u_error < 2.5e-3);
   CHECK(estimate.distribution->tail().kind == tail);
@@ -120,7 +120,7 @@ TEST_CASE("a map of Gaussian slopes gives its stretch and its visible CDFs back"
 TEST_CASE("a map of slopes in a disk ends where they end") {
   const auto estimate = estimate_slope_map(radial_slopes([](double v) { return std::sqrt(v); }));
   const double mean_slope = 4 / (3 * std::numbers::pi);
-  CHECK(estimate.statistics.alpha_x == Approx(mean_slope).epsilon(kStretchError));
+  CHECK(estimate.statistics.surface.alpha.x == Approx(mean_slope).epsilon(kStretchError));
   // The edge is as sharp as the estimated stretch is exact.
   CHECK(estimate.distribution->marginals(1.05 / mean_slope)->q < 1e-6);
 }
@@ -150,7 +150,7 @@ TEST_CASE("a map with eight bits in each component is accepted") {
   for (auto& s : slopes) s = {std::round(40 * s.x) / 127, std::round(40 * s.y) / 127};
   const auto estimate = estimate_slope_map(slopes);
   const double alpha = 40 * std::numbers::inv_sqrtpi / 127;
-  CHECK(estimate.statistics.alpha_x == Approx(alpha).epsilon(0.02));
+  CHECK(estimate.statistics.surface.alpha.x == Approx(alpha).epsilon(0.02));
   CHECK(estimate.distribution->p22(0) > 0);
 }
 

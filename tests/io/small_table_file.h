@@ -38,7 +38,11 @@ inline io::TableFile small_table_file() {
                  .marginal_map = {{0, 0.5}, {0.25, 0.5}, {1, 0.75}},
                  .log_ndf = small_curve(),
                  .log_backfacing = small_curve()}),
-          {{"profile", {0, 0.5, 1, 2}, {1, 0.75, 0.5, 0}}, "command", "program"},
+          {{"profile", {0, 0.5, 1, 2}, {1, 0.75, 0.5, 0}},
+           "command",
+           "program",
+           "",
+           SurfaceSlopes{{0.3, 0.1}, 0.5, {0.25, -1}}},
           {}};
 }
 

@@ -82,7 +82,8 @@ TableFile small_file(SlopeTables tables = small_tables()) {
                  {{"profile name:'a test'", {0, 0.25, 1.0 / 3, 1e300}, {1, 0.5, 1e-320, 0}},
                   "vndf build --profile 'a test'\n",
                   "vndf 1.2.3",
-                  "two\nlines\n"},
+                  "two\nlines\n",
+                  SurfaceSlopes{{1.0 / 3, 1e-9}, -0.1, {1.0 / 7, 1e-310}}},
                  {}};
   double figure = 1.0 / 7;
   for_each_figure(file.certificate, [&](const std::string&, double& v) { v = figure /= -3; });
@@ -248,6 +249,30 @@ TEST_CASE("a newer minor version is read and what it added is ignored") {
   }
 }
 
+TEST_CASE("a file without the surface of a map is of the minor version that had none") {
+  TableFile file = small_file();
+  CHECK(to_stored(file).attributes.at("format_minor") == Attribute(1));
+  file.provenance.surface.reset();
+  const StoredTables stored = to_stored(file);
+  CHECK(stored.attributes.at("format_minor") == Attribute(0));
+  CHECK_FALSE(stored.attributes.contains("surface"));
+}
+
+TEST_CASE("the surface of a map that breaks a rule is neither written nor read") {
+  for (const char* text : {"", "0.3 0.1 0.5 0", "0.3 0.1 0.5 0 0 0", "0 0.1 0.5 0 0",
+                           "0.3 0.1 -1 0 0", "0.3 0.1 0.5 inf 0", "0.3 0.1 0.5 0 nan"})
+    check_refused([=](StoredTables& s) { s.attributes["surface"] = text; },
+                  {std::string("its attribute 'surface' '") + text + "'",
+                   "alpha_x, alpha_y (> 0), correlation (inside (-1, 1)), mean_x and mean_y"});
+  check_refused([](StoredTables& s) { s.attributes["surface"] = 0.3; },
+                {"the attribute 'surface' is not a text"});
+  const Folder folder;
+  TableFile file = small_file();
+  file.provenance.surface->correlation = 1;
+  check_says(message_of([&] { save(folder / "t.h5", file); }),
+             {"of the surface of the map the correlation must be inside (-1, 1)"});
+}
+
 TEST_CASE("texts that would drive a terminal are neither written nor read") {
   for (const char* name : {"specification", "command", "program", "notes", "distribution"})
     check_refused([=](StoredTables& s) { s.attributes[name] = "\x1b[2J"; },
@@ -269,8 +294,7 @@ namespace {
 TableFile uniform_file(std::size_t side) {
   std::vector<float> values;
   for (std::size_t i = 0; i < side; ++i)
-    for (std::size_t j = 0; j < side; ++j)
-      values.push_back(j + 1 < side ? 0.0f : 1.0f);
+    for (std::size_t j = 0; j < side; ++j) values.push_back(j + 1 < side ? 0.0f : 1.0f);
   SlopeTables tables = small_tables();
   tables.marginal = {side, side, values};
   tables.conditional = {side, side, values};

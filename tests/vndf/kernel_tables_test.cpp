@@ -108,8 +108,12 @@ TEST_CASE("texts and a certificate are kept beside the same numbers") {
   Certificate certificate;
   certificate.marginal.max_u_error = 1e-5;
   certificate.max_pdf_error = 2e-5;
-  const KernelText text{
-      "a name", {{"profile", {0, 0.5, 2}, {1, 1.0 / 3, 0}}, "vndf build", "vndf 1", "one\ntwo\n"}};
+  const KernelText text{"a name",
+                        {{"profile", {0, 0.5, 2}, {1, 1.0 / 3, 0}},
+                         "vndf build",
+                         "vndf 1",
+                         "one\ntwo\n",
+                         SurfaceSlopes{{1.0 / 3, 0.1}, -0.5, {2, -1e-310}}}};
   const KernelTables tables = smallest().with_certificate(certificate, true).with_text(text);
   const KernelTables again = KernelTables::copy(tables.bytes());
   CHECK(again.text().distribution == "a name");
@@ -156,6 +160,36 @@ TEST_CASE("samples and texts outside of the rules are neither written nor read")
   CHECK_THAT(reading([](Block& b) { b.header().text_bytes -= 1; }), misplaced);
   CHECK_THAT(reading([](Block& b) { b.data()[b.size() - 1] = std::byte{'x'}; }),
              contains("a text has no end"));
+}
+
+TEST_CASE("the surface of a map outside of the rules is neither written nor read") {
+  const SurfaceSlopes slopes{{0.3, 0.1}, 0.5, {1, 2}};
+  Provenance broken{.specification = {}, .surface = slopes};
+  broken.surface->alpha.x = 0;
+  CHECK_THROWS_WITH(smallest().with_text({"", broken}),
+                    contains("of the surface of the map alpha must be finite and > 0"));
+
+  const KernelTables tables = smallest().with_text({"", {.specification = {}, .surface = slopes}});
+  const std::string text = text_of(slopes);
+  for (const std::string& other : {std::string("0.3 0.1 1.5 1 2"), std::string("0.3 0.1 0.5 1  "),
+                                   std::string("0.3 0.1 0.5\0"
+                                               "1 2",
+                                               15)}) {
+    REQUIRE(other.size() == text.size());
+    Block block(tables.bytes());
+    std::memcpy(block.data() + block.size() - text.size() - 1, other.data(), other.size());
+    block.set_checksum();
+    CHECK_THAT(error_of(block.bytes()), contains("the surface of the map breaks a rule"));
+  }
+}
+
+TEST_CASE(
+    "tables without the surface of a map have the bytes that they had before there were any") {
+  const KernelTables tables = smallest().with_text({"a", {{"b"}, "c", "d", "e"}});
+  const std::string_view bytes(reinterpret_cast<const char*>(tables.bytes().data()),
+                               tables.bytes().size());
+  CHECK(bytes.ends_with(std::string_view("a\0b\0c\0d\0e\0", 10)));
+  CHECK_FALSE(tables.text().provenance.surface);
 }
 
 TEST_CASE("a unit with which the place of a direction is no number is refused") {

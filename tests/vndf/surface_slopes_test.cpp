@@ -74,3 +74,19 @@ TEST_CASE("numbers that are no surface break a rule that is named") {
 TEST_CASE("a surface so long that its correlation rounds to 1 is refused") {
   CHECK_THAT(check(turned({1, 1e-9}, 45)).value_or(""), contains("correlation"));
 }
+
+TEST_CASE("the text of a surface reads back as the same numbers, bit for bit") {
+  const SurfaceSlopes slopes{{1.0 / 3, 1e-9}, -0.1, {std::sqrt(2.0), -1e-310}};
+  CHECK(text_of({{0.25, 1}, -0.5, {0, -2}}) == "0.25 1 -0.5 0 -2");
+  CHECK(surface_slopes_of(text_of(slopes)) == slopes);
+}
+
+TEST_CASE("a text that is not the numbers of a surface is none") {
+  REQUIRE(surface_slopes_of("1 1 0 0 0"));
+  for (const char* text : {"", "1 1 0 0", "1 1 0 0 0 0", "1 1 0 0 0 ", " 1 1 0 0 0", "1  1 0 0 0",
+                           "1 1 0 0 x", "1,1,0,0,0", "0 1 0 0 0", "1 -1 0 0 0", "1 1 1 0 0",
+                           "1 1 0 inf 0", "1 1 0 0 nan", "1 1 0 0 1e999"}) {
+    CAPTURE(text);
+    CHECK_FALSE(surface_slopes_of(text));
+  }
+}

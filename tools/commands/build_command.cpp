@@ -134,7 +134,8 @@ void build(const BuildArguments& arguments, const std::string& command_line) {
       std::cout << describe(tables) << written(arguments.output, bytes, seconds.count());
     }
   };
-  const Provenance provenance{source.specification, command_line, kProgram, source.notes};
+  const Provenance provenance{source.specification, command_line, kProgram, source.notes,
+                              source.surface};
   std::visit(finish, tables_of(arguments, provenance, *distribution, built, progress));
 }
 

@@ -111,13 +111,11 @@ DistributionSource from_map(const SourceArguments& a) {
   const auto& s = estimate.statistics;
   return {distributions::specify_profile(*estimate.distribution),
           fmt::format("image: {}, {} x {} texels\n", image.content, image.width, image.height) +
-              fmt::format(
-                  "map: mean slope ({:.6g}, {:.6g}), alpha {:.6g} x {:.6g}, correlation {:.4g}\n",
-                  s.mean_x, s.mean_y, s.alpha_x, s.alpha_y, s.correlation) +
               fmt::format("estimated from {} texels: u-error below {:.2e} (95 %), ", s.texels,
                           s.u_error) +
               fmt::format("asymmetry {:.3f} (bound {:.3f})\n", s.asymmetry, s.asymmetry_bound) +
-              describe(estimate.distribution->tail())};
+              describe(estimate.distribution->tail()),
+          s.surface};
 }
 
 void require_one_source(const SourceArguments& a) {

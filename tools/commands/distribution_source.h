@@ -29,6 +29,8 @@ struct DistributionSource {
   Specification specification;
   /// What was found on the way, for people: fits and statistics, one line each.
   std::string notes = {};
+  /// That of a map.
+  std::optional<SurfaceSlopes> surface = {};
 };
 
 /// Adds the options to `command`.

@@ -15,11 +15,6 @@ bool holds_baked_tables(const std::string& path) {
   return names_baked_tables(path) || is_kernel_file(path);
 }
 
-Specification specification_of(const AnyTables& tables) {
-  if (const auto* pair = std::get_if<io::TableFile>(&tables)) return pair->provenance.specification;
-  return std::get<KernelTables>(tables).text().provenance.specification;
-}
-
 }  // namespace
 
 std::string extension_of(const std::string& path) {
@@ -51,10 +46,15 @@ io::TableFile load_pair(const std::string& path) {
                            "give the pair, a .h5 or .exr file");
 }
 
+Provenance provenance_of(const AnyTables& tables) {
+  if (const auto* pair = std::get_if<io::TableFile>(&tables)) return pair->provenance;
+  return std::get<KernelTables>(tables).text().provenance;
+}
+
 std::unique_ptr<distributions::SlopeDistribution> distribution_of(const std::string& path,
                                                                   const AnyTables& tables) {
   try {
-    return distributions::make_distribution(specification_of(tables));
+    return distributions::make_distribution(provenance_of(tables).specification);
   } catch (const std::exception& e) {
     throw std::runtime_error(path + ": its distribution cannot be made again: " + e.what());
   }

@@ -29,6 +29,9 @@ AnyTables load_tables(const std::string& path);
 /// Loads a pair. Throws std::runtime_error for baked tables, saying what to give instead.
 io::TableFile load_pair(const std::string& path);
 
+/// Where the tables came from.
+Provenance provenance_of(const AnyTables& tables);
+
 /// Makes the distribution that the tables in `path` say they were made from. Throws
 /// std::runtime_error, naming the file, where their specification names none.
 std::unique_ptr<distributions::SlopeDistribution> distribution_of(const std::string& path,

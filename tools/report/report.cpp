@@ -44,6 +44,17 @@ std::string text_of(const Specification& s) {
   return s.r.empty() ? s.text : fmt::format("{}, {} samples", s.text, s.r.size());
 }
 
+std::string summary_of(const SurfaceSlopes& s) {
+  return fmt::format("alpha {:.6g} x {:.6g}, correlation {:.4g}, mean slope ({:.6g}, {:.6g})",
+                     s.alpha.x, s.alpha.y, s.correlation, s.mean.x, s.mean.y);
+}
+
+nlohmann::ordered_json to_json(const SurfaceSlopes& s) {
+  return {{"alpha", {s.alpha.x, s.alpha.y}},
+          {"correlation", s.correlation},
+          {"mean", {s.mean.x, s.mean.y}}};
+}
+
 /// The slopes and where they come from.
 std::string heading(const std::string& distribution, const Provenance& origin) {
   std::string text = fmt::format("{} slopes\n", support::printable(distribution));
@@ -51,16 +62,19 @@ std::string heading(const std::string& distribution, const Provenance& origin) {
   lines(text, "made by", origin.command);
   line(text, "with", origin.program);
   lines(text, "notes", origin.notes);
+  if (origin.surface) line(text, "surface of the map", summary_of(*origin.surface));
   return text;
 }
 
 nlohmann::ordered_json to_json(const std::string& distribution, const Provenance& origin) {
-  return {{"distribution", distribution},
-          {"specification", origin.specification.text},
-          {"samples", origin.specification.r.size()},
-          {"command", origin.command},
-          {"program", origin.program},
-          {"notes", origin.notes}};
+  nlohmann::ordered_json json{{"distribution", distribution},
+                              {"specification", origin.specification.text},
+                              {"samples", origin.specification.r.size()},
+                              {"command", origin.command},
+                              {"program", origin.program},
+                              {"notes", origin.notes}};
+  if (origin.surface) json["surface"] = to_json(*origin.surface);
+  return json;
 }
 
 void describe(std::string& text, const Certificate& c) {

@@ -285,15 +285,15 @@ SlopeMapEstimate estimate_slope_map(Slopes slopes, const SlopeMapOptions& option
   for (const auto& slope : white) radii.push_back(std::hypot(slope.x, slope.y));
   std::sort(radii.begin(), radii.end());
 
-  SlopeMapStatistics statistics{.texels = slopes.size(), .mean_x = s.x, .mean_y = s.y};
+  SlopeMapStatistics statistics{.texels = slopes.size()};
   measure_asymmetry(white, radii, options.ignore_asymmetry, statistics);
   Histogram h = histogram_of(radii);
   const TailModel tail = choose_tail(radii, h);
   if (tail.kind == ProfileTail::none) h.edges.push_back(radii.back());
   const MeasuredProfile estimate = fit_profile(options.name, h, tail);
-  statistics.alpha_x = estimate.mean_slope() * std::sqrt(s.xx);
-  statistics.alpha_y = estimate.mean_slope() * std::sqrt(s.yy);
-  statistics.correlation = s.xy / std::sqrt(s.xx * s.yy);
+  const double unit = estimate.mean_slope();
+  statistics.surface = {
+      {unit * std::sqrt(s.xx), unit * std::sqrt(s.yy)}, s.xy / std::sqrt(s.xx * s.yy), {s.x, s.y}};
   const double sum = std::accumulate(radii.begin(), radii.end(), 0.0);
   const double squares = std::inner_product(radii.begin(), radii.end(), radii.begin(), 0.0);
   statistics.u_error = std::sqrt(std::log(2 / 0.05) / 2 * squares) / sum;

@@ -5,12 +5,12 @@
 //
 // with (z1, z2) radially symmetric and E|z1| = 1.
 //
-// The centre, stretch and correlation are removed from the map and reported, so that a renderer can
-// apply them again. The unit is E|X|, which is finite wherever visible normals exist; the standard
-// deviation of GGX is infinite. Centre and stretch are the maximum-likelihood estimates for a
-// bivariate Cauchy distribution. They are right for every elliptical distribution, and as precise
-// for heavy tails as for light ones, which sample means and covariances are not (Kent and Tyler
-// 1991).
+// The centre, stretch and correlation are removed from the map and reported as its surface, on
+// which a renderer samples the distribution (on_surface.h). The unit is E|X|, which is finite
+// wherever visible normals exist; the standard deviation of GGX is infinite. Centre and stretch are
+// the maximum-likelihood estimates for a bivariate Cauchy distribution. They are right for every
+// elliptical distribution, and as precise for heavy tails as for light ones, which sample means and
+// covariances are not (Kent and Tyler 1991).
 #pragma once
 
 #include <memory>
@@ -19,6 +19,7 @@
 #include <string>
 
 #include "vndf/distributions/measured_profile.h"
+#include "vndf/surface_slopes.h"
 #include "vndf/vec.h"
 
 namespace vndf::distributions {
@@ -45,12 +46,10 @@ struct SlopeMapOptions {
 
 struct SlopeMapStatistics {
   std::size_t texels = 0;
-  /// Centre of the slopes.
-  double mean_x = 0, mean_y = 0;
-  /// E|x - mean_x| and E|y - mean_y|, those of the estimated distribution.
-  double alpha_x = 0, alpha_y = 0;
-  /// Of the stretch, in (-1, 1); equals the correlation coefficient where that exists.
-  double correlation = 0;
+  /// Its mean is the centre of the slopes, its alpha E|x - mean_x| and E|y - mean_y| of the
+  /// estimated distribution, and its correlation that of the stretch, which equals the correlation
+  /// coefficient where that exists.
+  SurfaceSlopes surface{};
   /// With a probability of 95 % no visible CDF of the distribution of the map is farther than this
   /// from that of the estimate: the Dvoretzky-Kiefer-Wolfowitz bound sqrt(log(2 / 0.05) / (2 n)).
   /// At grazing incidence slopes count in proportion to their length r, so n is the number of

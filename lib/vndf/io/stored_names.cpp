@@ -18,6 +18,7 @@ const std::vector<std::string>& attribute_names() {
                                   "command",
                                   "specification",
                                   "notes",
+                                  kSurface,
                                   "distribution",
                                   "coordinates",
                                   "mean_slope",

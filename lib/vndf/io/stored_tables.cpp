@@ -13,6 +13,7 @@
 #include "vndf/io/stored_names.h"
 #include "vndf/io/table_format.h"
 #include "vndf/support/text.h"
+#include "vndf/surface_slopes.h"
 
 namespace vndf::io {
 namespace {
@@ -293,11 +294,23 @@ Specification specification_of(const StoredTables& stored) {
   return specification;
 }
 
+/// Only the tables of a map have a surface.
+std::optional<SurfaceSlopes> surface_of(const StoredTables& stored) {
+  if (!stored.attributes.contains(kSurface)) return {};
+  const auto& text = attribute<std::string>(stored, kSurface);
+  if (auto surface = surface_slopes_of(text)) return surface;
+  throw FormatError("its attribute 'surface' " + support::quoted(text) +
+                        " is not alpha_x, alpha_y (> 0), correlation (inside (-1, 1)), mean_x and "
+                        "mean_y with a blank between them",
+                    kRemake);
+}
+
 Provenance provenance_of(const StoredTables& stored) {
   return {.specification = specification_of(stored),
           .command = attribute<std::string>(stored, "command"),
           .program = attribute<std::string>(stored, "program"),
-          .notes = attribute<std::string>(stored, "notes")};
+          .notes = attribute<std::string>(stored, "notes"),
+          .surface = surface_of(stored)};
 }
 
 void check_content(const StoredTables& stored, const SlopeTables& tables,
@@ -353,7 +366,7 @@ StoredTables to_stored(const TableFile& file) {
   result.attributes = {
       {"file_type", kFileType},
       {"format_major", kFormatMajor},
-      {"format_minor", kFormatMinor},
+      {"format_minor", file.provenance.surface ? kFormatMinor : kMinorWithoutSurface},
       {"program", file.provenance.program},
       {"command", file.provenance.command},
       {"specification", file.provenance.specification.text},
@@ -365,6 +378,8 @@ StoredTables to_stored(const TableFile& file) {
       {"conditional_constant", tables.conditional_constant},
       {"conditional_quadratic", tables.conditional_quadratic},
       {"content_checksum", hex_digits(content_checksum(tables, file.provenance.specification))}};
+  if (const auto& surface = file.provenance.surface)
+    result.attributes[kSurface] = text_of(*surface);
   for_each_figure(file.certificate, [&](const std::string& name, double value) {
     result.attributes[certificate_name(name)] = value;
   });

@@ -9,7 +9,9 @@ namespace vndf::io {
 
 /// A reader refuses any other major version. A newer minor version adds attributes and arrays,
 /// which an older reader ignores, or a name of coordinates, which it refuses.
-inline constexpr int kFormatMajor = 4, kFormatMinor = 0;
+inline constexpr int kFormatMajor = 4, kFormatMinor = 1;
+/// The minor version that a file without a surface has, because it holds nothing newer.
+inline constexpr int kMinorWithoutSurface = 0;
 
 /// Value of the attribute `file_type`.
 inline constexpr char kFileType[] = "vndf slope tables";
