@@ -38,8 +38,8 @@ class Clone {
     fs::create_directories(top_ / "build/tests");
     fs::create_directories(top_ / "build/tools");
     fs::create_symlink(VNDF_PROGRAM, top_ / "build/tools/vndf");
-    for (const std::string name :
-         {"render", "metal", "microsurface_walk", "own_distribution", "write_records"}) {
+    for (const std::string name : {"filtered_map", "render", "metal", "microsurface_walk",
+                                   "own_distribution", "write_records"}) {
       const std::string example = "build/tests/example_" + name;
       fs::create_symlink(build / "tests" / ("example_" + name), top_ / example);
     }

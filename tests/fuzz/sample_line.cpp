@@ -11,9 +11,9 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::accept_or_throw<std::runtime_error>([&] {
     std::istringstream stream{std::string(fuzz::text_of(data, size))};
     for (std::string line; tools::next_sample_line(stream, line);) {
-      const tools::SampleInputs inputs = tools::numbers_of(line);
+      const tools::SampleInputs inputs = tools::inputs_of(line);
       if (!tools::broken_rule<float>(inputs).empty()) continue;
-      fuzz::require(inputs[2] >= 0 && inputs[3] > 0, "a line without a configuration is accepted");
+      fuzz::require(!check(inputs.surface), "a line without a surface is accepted");
       fuzz::require(tools::broken_rule<double>(inputs).empty(), "single precision accepts more");
     }
   });

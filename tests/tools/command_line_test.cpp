@@ -131,7 +131,6 @@ TEST_CASE("wrong usage is exit status 2") {
   check_failure(folder.run("sample a.h5"), 2, "--wi");
   check_failure(folder.run("sample a.h5 --stdin --wi 0,0,1"), 2, "--stdin");
   check_failure(folder.run("sample a.h5 --wi 0,0 --alpha 1"), 2, "--wi");
-  check_failure(folder.run("sample a.h5 --wi 0,0,-1 --alpha 1"), 2, "horizon");
   check_failure(folder.run("sample a.h5 --wi 0,0,1 --alpha 0"), 2, "alpha");
 }
 
@@ -285,13 +284,12 @@ TEST_CASE(
     CHECK_THAT(r.error, contains("line 2") && contains(why));
   };
   refused("0.6 0 0.8 1 1 0.25", "seven numbers");
-  refused("0.6 0 0.8 1 1 0.25 0.5 9", "more than the seven numbers");
+  refused("0.6 0 0.8 1 1 0.25 0.5 9", "seven numbers");
   refused("0.6 0 x 1 1 0.25 0.5", "seven numbers");
-  refused("0.6 0 -0.8 1 1 0.25 0.5", "horizon");
   refused("0.6 0 0.9 1 1 0.25 0.5", "length 1");
   refused("0.6 0 0.8 0 1 0.25 0.5", "alpha");
   refused("0.6 0 0.8 1 1 1.25 0.5", "[0, 1]");
-  refused("0.6 0 0.8 1 1 nan 0.5", "finite");
+  refused("0.6 0 0.8 1 1 nan 0.5", "[0, 1]");
 }
 
 TEST_CASE("converted tables give the same samples") {

@@ -17,15 +17,23 @@ TEST_CASE("a line that cannot be sampled is named with its number and the rule")
     CHECK_THAT(r.error, contains("standard input, line 2: ") && contains(rule));
     CHECK(r.out.find('\n') == r.out.size() - 1);  // the first line is answered, and only it
   };
-  refused("", "expected seven numbers");
-  refused("0 0 1 1 1 0.5", "expected seven numbers");
-  refused("0 0 1 1 1 0.5 0.5 0.5", "more than the seven numbers");
-  refused("0 0 1 1 1 0.5 x", "expected seven numbers");
-  refused("0 0 1 1 1 0.5 nan", "finite");
-  refused("0 0 1 1 1 inf 0.5", "finite");
+  const std::string form = "give seven numbers or ten: wx wy wz ax ay [correlation mean_x mean_y]";
+  refused("", form);
+  refused("0 0 1 1 1 0.5", form);
+  refused("0 0 1 1 1 0.5 0.5 0.5", form);
+  refused("0 0 1 1 1 0.5 0.5 0.5 0.5", form);
+  refused("0 0 1 1 1 0.5 0.5 0.5 0.5 0.5 0.5", form);
+  refused("0 0 1 1 1 0.5 x", form);
+  refused("0 0 1 1 1 0.5 nan", "[0, 1]");
+  refused("0 0 1 1 1 inf 0.5", "[0, 1]");
+  refused("nan 0 1 1 1 0.5 0.5", "finite");
+  refused("inf 0 1 1 1 0.5 0.5", "finite");
+  refused("0 0 1 inf 1 0.5 0.5", "alpha must be finite");
+  refused("0 0 1 1 1 1 0 0 0.5 0.5", "the correlation must be inside (-1, 1)");
+  refused("0 0 1 1 1 0 nan 0 0.5 0.5", "the mean slope must be finite");
+  refused("0 0 1 1 1 0 1e39 0 0.5 0.5", "beyond single precision; give --double");
   refused("0 0 1 1 1 0.5 1.5", "[0, 1]");
   refused("0 0 1 -1 1 0.5 0.5", "alpha");
-  refused("0 0 -1 1 1 0.5 0.5", "horizon");
   refused(std::string(2000000, '1'), "longer than 1000 bytes");
   refused("0 0 1 1 1 0.5 0.5" + std::string(2000, ' '), "longer than 1000 bytes");
 }

@@ -16,7 +16,9 @@
 #include "commands/commands.h"
 #include "commands/output_file.h"
 #include "commands/sample_line.h"
+#include "commands/surface_options.h"
 #include "commands/table_files.h"
+#include "vndf/on_surface.h"
 #include "vndf/tabulated_sampler.h"
 
 namespace vndf::tools {
@@ -25,36 +27,53 @@ namespace {
 struct SampleArguments {
   std::string file;
   std::vector<double> wi, alpha;
+  SurfaceArguments surface;
   std::size_t count = 10;
   std::uint64_t seed = 1;
-  bool from_stdin = false, in_double = false;
+  bool from_stdin = false, in_double = false, records = false;
 };
 
-template <class T, class Sampler>
-class Printer {
- public:
-  explicit Printer(const Sampler& sampler) : sampler_(sampler) {}
+/// A sampler of tables, and whether they have directions below the horizon.
+template <class Sampler>
+struct Source {
+  using T = typename Sampler::Scalar;
 
-  /// Appends "slope_x slope_y mx my mz pdf" with `separator` between.
-  void append(fmt::memory_buffer& out, const SampleInputs& in, char separator) const {
-    const auto t = [&](std::size_t i) { return static_cast<T>(in[i]); };
-    const Vec3<T> wi{t(0), t(1), t(2)};
-    const Alpha<T> alpha{t(3), t(4)};
-    const Vec3<T> m = sampler_.sample(wi, alpha, t(5), t(6));
-    const Vec2<T> slope = slope_of(m);
-    const std::array<T, 6> numbers{slope.x, slope.y, m.x, m.y, m.z, sampler_.pdf(wi, m, alpha)};
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      if (i > 0) out.push_back(separator);
-      fmt::format_to(std::back_inserter(out), "{:.{}g}", numbers[i], kDigits);
-    }
-    out.push_back('\n');
+  const Sampler& sampler;
+  bool sees_below;
+
+  /// The first rule that `in` breaks, or an empty string.
+  std::string broken_rule(const SampleInputs& in) const {
+    std::string rule = tools::broken_rule<T>(in);
+    if (rule.empty() && !sees_below && in.surface.surface<double>().projected_area(in.wi) < 0)
+      rule =
+          "wi is behind the mean facet, and the tables were baked with --above-only; bake them "
+          "without";
+    return rule;
   }
 
-  static constexpr int kDigits = std::numeric_limits<T>::max_digits10;
+  struct Drawn {
+    Vec3<T> m;
+    T pdf;
+  };
 
- private:
-  const Sampler& sampler_;
+  Drawn draw(const SampleInputs& in) const {
+    const Vec3<T> wi{static_cast<T>(in.wi.x), static_cast<T>(in.wi.y), static_cast<T>(in.wi.z)};
+    const OnSurface<Sampler> on(sampler, in.surface.surface<T>());
+    const Vec3<T> m = on.sample(wi, static_cast<T>(in.u1), static_cast<T>(in.u2));
+    return {m, on.pdf(wi, m)};
+  }
 };
+
+/// Appends `numbers` of precision T with `separator` between, and the end of the line.
+template <class T, std::size_t N>
+void append_line(fmt::memory_buffer& out, const std::array<T, N>& numbers, char separator) {
+  for (std::size_t i = 0; i < N; ++i) {
+    if (i > 0) out.push_back(separator);
+    fmt::format_to(std::back_inserter(out), "{:.{}g}", numbers[i],
+                   std::numeric_limits<T>::max_digits10);
+  }
+  out.push_back('\n');
+}
 
 void flush(fmt::memory_buffer& out, std::size_t limit) {
   if (out.size() < limit) return;
@@ -66,24 +85,25 @@ void flush(fmt::memory_buffer& out, std::size_t limit) {
 constexpr std::size_t kChunk = 1 << 16;
 
 /// Answers the next line of standard input. Returns false at its end.
-template <class T, class Sampler>
-bool answer_line(const Printer<T, Sampler>& printer, fmt::memory_buffer& out) {
+template <class Sampler>
+bool answer_line(const Source<Sampler>& source, fmt::memory_buffer& out) {
   std::string line;
   if (!next_sample_line(std::cin, line)) return false;
-  const SampleInputs inputs = numbers_of(line);
-  const std::string rule = broken_rule<T>(inputs);
-  if (!rule.empty()) throw std::runtime_error(rule);
-  printer.append(out, inputs, ' ');
+  const SampleInputs inputs = inputs_of(line);
+  if (const std::string rule = source.broken_rule(inputs); !rule.empty())
+    throw std::runtime_error(rule);
+  const auto [m, pdf] = source.draw(inputs);
+  const auto slope = slope_of(m);
+  append_line(out, std::array{slope.x, slope.y, m.x, m.y, m.z, pdf}, ' ');
   return true;
 }
 
-template <class T, class Sampler>
-void sample_lines(const Sampler& sampler) {
-  const Printer<T, Sampler> printer(sampler);
+template <class Sampler>
+void sample_lines(const Source<Sampler>& source) {
   fmt::memory_buffer out;
   std::size_t number = 1;
   try {
-    for (; answer_line(printer, out); ++number) flush(out, kChunk);
+    for (; answer_line(source, out); ++number) flush(out, kChunk);
   } catch (const std::exception& e) {
     flush(out, 1);  // the lines before the refused one are answered
     throw std::runtime_error(fmt::format("standard input, line {}: {}", number, e.what()));
@@ -91,21 +111,43 @@ void sample_lines(const Sampler& sampler) {
   flush(out, 1);
 }
 
-/// The direction as given, brought to unit length.
+/// The direction as given, brought to unit length, on the surface as given or `recorded`.
 template <class T>
-SampleInputs from_options(const SampleArguments& a) {
+SampleInputs from_options(const SampleArguments& a, const std::optional<SurfaceSlopes>& recorded) {
   const double length = std::hypot(a.wi[0], a.wi[1], a.wi[2]);
   if (length == 0) throw CLI::ValidationError("--wi", "must not be the zero vector");
-  const SampleInputs inputs{
-      a.wi[0] / length, a.wi[1] / length, a.wi[2] / length, a.alpha.front(), a.alpha.back(), 0, 0};
+  const Alpha<double> alpha =
+      a.alpha.empty() ? Alpha<double>{1, 1} : Alpha<double>{a.alpha.front(), a.alpha.back()};
+  const SampleInputs inputs{{a.wi[0] / length, a.wi[1] / length, a.wi[2] / length},
+                            surface_of(a.surface, alpha, a.file, recorded)};
   if (const std::string rule = broken_rule<T>(inputs); !rule.empty())
     throw CLI::ValidationError("--wi, --alpha", rule);
   return inputs;
 }
 
-template <class T, class Sampler>
-void sample_random(const Sampler& sampler, const SampleArguments& arguments) {
-  const Printer<T, Sampler> printer(sampler);
+/// The columns of a record for `vndf check` that are the same for all samples, or those that the
+/// surface does not need left out.
+struct RecordColumns {
+  std::string names, values;
+};
+
+template <class T>
+RecordColumns record_columns(const SampleInputs& in) {
+  constexpr int kDigits = std::numeric_limits<T>::max_digits10;
+  const auto& [alpha, correlation, mean] = in.surface;
+  RecordColumns columns{"wx,wy,wz,ax,ay,",
+                        fmt::format("{:.{}g},{:.{}g},{:.{}g},{},{},", in.wi.x, kDigits, in.wi.y,
+                                    kDigits, in.wi.z, kDigits, alpha.x, alpha.y)};
+  if (in.surface.surface<T>().is_flat()) return columns;
+  columns.names += "correlation,mean_x,mean_y,";
+  columns.values += fmt::format("{},{},{},", correlation, mean.x, mean.y);
+  return columns;
+}
+
+template <class Sampler>
+void sample_random(const Source<Sampler>& source, const SampleArguments& arguments,
+                   SampleInputs inputs) {
+  using T = typename Sampler::Scalar;
   // Whole multiples of 2^-24 or 2^-53 below 1, which T holds exactly.
   constexpr int kBits = std::numeric_limits<T>::digits;
   std::mt19937_64 random(arguments.seed);
@@ -113,41 +155,55 @@ void sample_random(const Sampler& sampler, const SampleArguments& arguments) {
     return std::ldexp(static_cast<double>(random() >> (64 - kBits)), -kBits);
   };
 
-  SampleInputs inputs = from_options<T>(arguments);
+  const auto columns = arguments.records ? record_columns<T>(inputs) : RecordColumns{};
   fmt::memory_buffer out;
-  fmt::format_to(std::back_inserter(out), "u1,u2,slope_x,slope_y,mx,my,mz,pdf\n");
+  fmt::format_to(std::back_inserter(out), "{}u1,u2,{}mx,my,mz,pdf\n", columns.names,
+                 arguments.records ? "" : "slope_x,slope_y,");
   for (std::size_t i = 0; i < arguments.count; ++i) {
-    inputs[5] = next();
-    inputs[6] = next();
-    fmt::format_to(std::back_inserter(out), "{:.{}g},{:.{}g},", inputs[5], printer.kDigits,
-                   inputs[6], printer.kDigits);
-    printer.append(out, inputs, ',');
+    inputs.u1 = next();
+    inputs.u2 = next();
+    const auto [m, pdf] = source.draw(inputs);
+    const Vec2<T> slope = slope_of(m);
+    const T u1 = static_cast<T>(inputs.u1), u2 = static_cast<T>(inputs.u2);
+    out.append(columns.values);
+    if (arguments.records)
+      append_line(out, std::array{u1, u2, m.x, m.y, m.z, pdf}, ',');
+    else
+      append_line(out, std::array{u1, u2, slope.x, slope.y, m.x, m.y, m.z, pdf}, ',');
     flush(out, kChunk);
   }
   flush(out, 1);
 }
 
-template <class T, class Sampler>
-void sample_from(const Sampler& sampler, const SampleArguments& arguments) {
-  if (arguments.from_stdin)
-    sample_lines<T>(sampler);
-  else
-    sample_random<T>(sampler, arguments);
+template <class Sampler>
+void sample_from(const Source<Sampler>& source, const SampleArguments& arguments,
+                 const std::optional<SurfaceSlopes>& recorded) {
+  if (arguments.from_stdin) return sample_lines(source);
+  const auto inputs = from_options<typename Sampler::Scalar>(arguments, recorded);
+  if (const std::string rule = source.broken_rule(inputs); !rule.empty())
+    throw std::runtime_error(arguments.file + ": " + rule);
+  sample_random(source, arguments, inputs);
 }
 
 template <class T>
 void sample(const SampleArguments& arguments) {
-  if (!arguments.from_stdin)
-    from_options<T>(arguments);  // wrong usage is told before the file is read
+  if (!arguments.from_stdin && !arguments.surface.as_mapped)
+    from_options<T>(arguments, {});  // wrong usage is told before the file is read
   const AnyTables tables = load_tables(arguments.file);
-  if (const auto* pair = std::get_if<io::TableFile>(&tables))
-    return sample_from<T>(TabulatedSampler<T>(pair->tables), arguments);
-  if constexpr (std::is_same_v<T, double>)
+  const auto recorded = provenance_of(tables).surface;
+  if (const auto* pair = std::get_if<io::TableFile>(&tables)) {
+    const TabulatedSampler<T> sampler(pair->tables);
+    return sample_from(Source<TabulatedSampler<T>>{sampler, true}, arguments, recorded);
+  }
+  if constexpr (std::is_same_v<T, double>) {
     throw std::runtime_error(arguments.file +
                              ": baked tables are sampled in single precision only; leave out "
                              "--double, or give the pair, a .h5 or .exr file");
-  else
-    sample_from<T>(std::get<KernelTables>(tables).kernel(), arguments);
+  } else {
+    const auto& baked = std::get<KernelTables>(tables);
+    const Kernel kernel = baked.kernel();
+    sample_from(Source<Kernel>{kernel, baked.header().below_bytes != 0}, arguments, recorded);
+  }
 }
 
 }  // namespace
@@ -160,7 +216,7 @@ void add_sample(CLI::App& app) {
                                      "solid angle, in single precision as renderers have them.");
   const auto a = std::make_shared<SampleArguments>();
   command->add_option("file", a->file, "Table file")->required();
-  auto* wi = command->add_option("--wi", a->wi, "Incident direction, z >= 0; scaled to length 1");
+  auto* wi = command->add_option("--wi", a->wi, "Incident direction; scaled to length 1");
   wi->delimiter(',')->expected(3)->type_name("X,Y,Z");
   auto* alpha = command->add_option("--alpha", a->alpha, "Roughness along x and y");
   alpha->delimiter(',')->expected(1, 2)->type_name("AX[,AY]");
@@ -170,14 +226,19 @@ void add_sample(CLI::App& app) {
   auto* seed = command->add_option("--seed", a->seed, "Seed of the random numbers")
                    ->check(whole_number())
                    ->capture_default_str();
+  auto* records =
+      command->add_flag("--records", a->records, "Print the columns that vndf check reads");
   auto* from_stdin = command->add_flag(
       "--stdin", a->from_stdin,
-      "Read lines 'wx wy wz ax ay u1 u2', print lines 'slope_x slope_y mx my mz pdf'");
+      std::string("Read lines '") + kLineForm + "', print lines 'slope_x slope_y mx my mz pdf'");
   command->add_flag("--double", a->in_double, "Sample in double precision");
-  for (auto* option : {wi, alpha, count, seed}) from_stdin->excludes(option);
+  add_surface_options(*command, a->surface);
+  for (auto* option : {wi, alpha, count, seed, records}) from_stdin->excludes(option);
+  for (const char* option : {"--correlation", "--mean", "--rotate", "--as-mapped"})
+    from_stdin->excludes(command->get_option(option));
   command->callback([a] {
-    if (!a->from_stdin && (a->wi.empty() || a->alpha.empty()))
-      throw CLI::RequiredError("--wi and --alpha, or --stdin");
+    if (!a->from_stdin && (a->wi.empty() || (a->alpha.empty() && !a->surface.as_mapped)))
+      throw CLI::RequiredError("--wi with --alpha or --as-mapped, or --stdin");
     a->in_double ? sample<double>(*a) : sample<float>(*a);
   });
 }
