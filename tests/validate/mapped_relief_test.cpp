@@ -126,13 +126,9 @@ struct Mapped {
   ExactSlopes exact;
 };
 
-SurfaceSlopes surface_of(const distributions::SlopeMapStatistics& s) {
-  return {{s.alpha_x, s.alpha_y}, s.correlation, {s.mean_x, s.mean_y}};
-}
-
 Mapped mapped(Slopes slopes) {
   auto estimate = distributions::estimate_slope_map(slopes);
-  const SurfaceSlopes surface = surface_of(estimate.statistics);
+  const SurfaceSlopes surface = estimate.statistics.surface;
   auto built = precompute::build_tables(*estimate.distribution, {.layout = {64, 96, false}});
   ExactSlopes exact(
       std::make_unique<distributions::MeasuredProfile>(std::move(*estimate.distribution)));
