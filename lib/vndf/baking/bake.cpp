@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <optional>
+#include <span>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -127,26 +129,52 @@ void put_slopes(KernelBlock& block, KernelHeader& h, const Plan& plan) {
   h.slope_upper = static_cast<std::uint32_t>(kSlopeOctaves) << 23;
 }
 
-void put_conditional(KernelBlock& block, KernelHeader& h, const Plan& plan) {
+/// Rows of y over one range of slopes x, whose places are larger by `octaves` powers of two in the
+/// block.
+struct RowsOfY {
+  Surface surface;
+  const Axis& rows;
+  int octaves;
+};
+
+/// Puts the patches of slope y over the rows of all `ranges` and the columns of both halves of u2,
+/// and returns the axis of the columns.
+KernelAxis put_slopes_y(KernelBlock& block, const Plan& plan, std::span<const RowsOfY> ranges,
+                        const Axis& conditional, const Axis& mirror) {
   block.align(kKernelAlignment);
   const std::uint32_t first = block.at();
-  if (plan.pair.separable()) {
-    const Surface surface = conditional_surface(plan.pair, false);
-    for (const AxisCell& cell : plan.conditional.cells)
-      block.put_cubic(monotone_hermite(node_at(surface, plan.columns, 0, cell.begin),
-                                       node_at(surface, plan.columns, 0, cell.end), cell.width()));
-    h.conditional = block.put_guide({{plan.conditional, first, 16}});
-    return;
-  }
   const int octaves = plan.columns.octaves;
   for (const bool mirrored : {false, true})
-    for (const AxisCell& column : (mirrored ? plan.mirrored : plan.conditional).cells)
-      for (const bool upper : {false, true})
-        put_column(block, conditional_surface(plan.pair, upper), plan.columns.halved(mirrored),
-                   column, plan.slopes[upper ? 1 : 0].rows, plan.slope_offset,
-                   mirrored ? octaves : 0, upper ? kSlopeOctaves : 0);
-  h.conditional = block.put_guide({{both_halves(plan.conditional, plan.mirrored, octaves), first,
-                                    static_cast<std::uint32_t>(64 * plan.slope_rows())}});
+    for (const AxisCell& column : (mirrored ? mirror : conditional).cells)
+      for (const RowsOfY& range : ranges)
+        put_column(block, range.surface, plan.columns.halved(mirrored), column, range.rows,
+                   plan.slope_offset, mirrored ? octaves : 0, range.octaves);
+  std::size_t rows = 0;
+  for (const RowsOfY& range : ranges) rows += range.rows.cells.size();
+  return block.put_guide(
+      {{both_halves(conditional, mirror, octaves), first, static_cast<std::uint32_t>(64 * rows)}});
+}
+
+/// Puts the cubics of slope y over its scale, which has one row for all slopes x.
+KernelAxis put_separable_y(KernelBlock& block, const Plan& plan) {
+  block.align(kKernelAlignment);
+  const std::uint32_t first = block.at();
+  const Surface surface = conditional_surface(plan.pair, false);
+  for (const AxisCell& cell : plan.conditional.cells)
+    block.put_cubic(monotone_hermite(node_at(surface, plan.columns, 0, cell.begin),
+                                     node_at(surface, plan.columns, 0, cell.end), cell.width()));
+  return block.put_guide({{plan.conditional, first, 16}});
+}
+
+void put_conditional(KernelBlock& block, KernelHeader& h, const Plan& plan) {
+  if (plan.pair.separable()) {
+    h.conditional = put_separable_y(block, plan);
+    return;
+  }
+  const std::array ranges{
+      RowsOfY{conditional_surface(plan.pair, false), plan.slopes[0].rows, 0},
+      RowsOfY{conditional_surface(plan.pair, true), plan.slopes[1].rows, kSlopeOctaves}};
+  h.conditional = put_slopes_y(block, plan, ranges, plan.conditional, plan.mirrored);
   put_slopes(block, h, plan);
 }
 
@@ -159,16 +187,8 @@ void put_below(KernelBlock& block, KernelHeader& h, const Plan& plan) {
       std::min(plan.pair.most_cotangent(), double{std::numeric_limits<float>::max()}));
   h.below_least_place = static_cast<float>(below.directions.cells.front().begin);
   if (plan.pair.separable()) return;
-  block.align(kKernelAlignment);
-  const std::uint32_t first = block.at();
-  const int octaves = plan.columns.octaves;
-  for (const bool mirrored : {false, true})
-    for (const AxisCell& column : (mirrored ? below.mirrored : below.conditional).cells)
-      put_column(block, steep_surface(plan.pair), plan.columns.halved(mirrored), column, below.rows,
-                 plan.slope_offset, mirrored ? octaves : 0, 0);
-  const auto row = static_cast<std::uint32_t>(64 * below.rows.cells.size());
-  h.below_conditional =
-      block.put_guide({{both_halves(below.conditional, below.mirrored, octaves), first, row}});
+  const std::array ranges{RowsOfY{steep_surface(plan.pair), below.rows, 0}};
+  h.below_conditional = put_slopes_y(block, plan, ranges, below.conditional, below.mirrored);
   h.below_slope = block.put_guide({{below.rows, 0, 64}});
   h.below_slope_most = static_cast<float>(below.rows.cells.back().end);
 }
@@ -289,22 +309,76 @@ std::string number(double value) {
   return text.str();
 }
 
-/// The tables of a plan with what directions below the horizon need, given the differences of those
-/// without it.
-KernelTables with_below(Plan plan, const Differences& above, const BakeOptions& options) {
-  std::string reached;
+/// The tables of a plan that keep the tolerance, and their differences from the pair.
+struct Baked {
+  Plan plan;
+  KernelTables tables;
+  Differences found;
+};
+
+/// What was reached where the tolerance could not be kept, for a message.
+class Reached {
+ public:
+  void add(const std::string& what) { text_ += (text_.empty() ? "" : "; ") + what; }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+/// The first tables that keep the tolerance, above the horizon or `below` it, of the plans that
+/// `plan_with` makes for ever smaller shares of it. Returns nothing where none does, or as soon as
+/// there is no plan.
+template <class PlanWith>
+std::optional<Baked> first_within(double tolerance, bool below, Reached& reached,
+                                  PlanWith plan_with) {
   for (const double share : kShares) {
-    plan_below(plan, criterion_below(share * options.tolerance));
-    const KernelTables tables = tables_of(plan, options.tolerance);
-    const Differences found = differences(tables, plan.pair, true);
-    if (found.larger() <= options.tolerance)
-      return tables.with_differences(std::max(above.x, found.x), std::max(above.y, found.y));
-    reached += (reached.empty() ? "" : "; ") + number(found.larger()) + " was reached with " +
-               number(static_cast<double>(tables.header().below_bytes)) + " bytes";
+    const std::optional<Plan> plan = plan_with(share * tolerance);
+    if (!plan) return {};
+    const KernelTables tables = tables_of(*plan, tolerance);
+    const Differences found = differences(tables, plan->pair, below);
+    if (found.larger() <= tolerance) return Baked{*plan, tables, found};
+    const auto bytes = below ? tables.header().below_bytes : plan->bytes();
+    reached.add(number(found.larger()) + " was reached with " + number(static_cast<double>(bytes)) +
+                " bytes");
   }
-  throw BakeError("no kernel of " + plan.pair.tables().distribution + " keeps " +
-                  number(options.tolerance) + " below the horizon: " + reached +
-                  "; give a larger tolerance, or leave directions below the horizon out");
+  return {};
+}
+
+/// Tables with what directions below the horizon need.
+Baked with_below(const Baked& above, double tolerance) {
+  Reached reached;
+  const auto baked = first_within(tolerance, true, reached, [&](double share) {
+    std::optional<Plan> plan = above.plan;
+    plan_below(*plan, criterion_below(share));
+    return plan;
+  });
+  if (!baked)
+    throw BakeError("no kernel of " + above.plan.pair.tables().distribution + " keeps " +
+                    number(tolerance) + " below the horizon: " + reached.text() +
+                    "; give a larger tolerance, or leave directions below the horizon out");
+  const Differences larger{std::max(above.found.x, baked->found.x),
+                           std::max(above.found.y, baked->found.y)};
+  return {baked->plan, baked->tables, larger};
+}
+
+/// Tables for directions above the horizon, with columns by probabilities or else by their roots.
+Baked above_only(const std::vector<PairSlopes>& candidates, const BakeOptions& options) {
+  Reached reached;
+  for (const Columns& columns : {kByProbability, kByRoot}) {
+    const auto plan_with = [&](double share) -> std::optional<Plan> {
+      const Plan plan = plan_for(candidates, columns, {share});
+      if (plan.bytes() <= options.max_bytes) return plan;
+      reached.add(number(static_cast<double>(plan.bytes())) + " bytes would be needed" +
+                  (columns.roots ? " with columns by roots" : ""));
+      return {};
+    };
+    if (const auto baked = first_within(options.tolerance, false, reached, plan_with))
+      return *baked;
+  }
+  throw BakeError("no kernel of " + candidates.front().tables().distribution + " keeps " +
+                  number(options.tolerance) + " in " + std::to_string(options.max_bytes) +
+                  " bytes: " + reached.text() + "; give a larger tolerance or more bytes");
 }
 
 }  // namespace
@@ -313,28 +387,10 @@ KernelTables bake(const SlopeTables& pair, const BakeOptions& options) {
   require_options(options);
   if (const auto broken = check(pair)) throw std::invalid_argument("slope tables: " + *broken);
   const std::vector<PairSlopes> candidates = pair_in_units(pair);
-  std::string reached;
-  for (const Columns& columns : {kByProbability, kByRoot}) {
-    for (const double share : kShares) {
-      const Plan plan = plan_for(candidates, columns, {share * options.tolerance});
-      if (plan.bytes() > options.max_bytes) {
-        reached += (reached.empty() ? "" : "; ") + number(static_cast<double>(plan.bytes())) +
-                   " bytes would be needed" + (columns.roots ? " with columns by roots" : "");
-        break;
-      }
-      const KernelTables tables = tables_of(plan, options.tolerance);
-      const Differences found = differences(tables, plan.pair, false);
-      if (found.larger() <= options.tolerance)
-        return options.below_horizon && plan.pair.reaches_below()
-                   ? with_below(plan, found, options)
-                   : tables.with_differences(found.x, found.y);
-      reached += (reached.empty() ? "" : "; ") + number(found.larger()) + " was reached with " +
-                 number(static_cast<double>(plan.bytes())) + " bytes";
-    }
-  }
-  throw BakeError("no kernel of " + pair.distribution + " keeps " + number(options.tolerance) +
-                  " in " + std::to_string(options.max_bytes) + " bytes: " + reached +
-                  "; give a larger tolerance or more bytes");
+  const Baked above = above_only(candidates, options);
+  const bool goes_below = options.below_horizon && above.plan.pair.reaches_below();
+  const Baked baked = goes_below ? with_below(above, options.tolerance) : above;
+  return baked.tables.with_differences(baked.found.x, baked.found.y);
 }
 
 }  // namespace vndf
