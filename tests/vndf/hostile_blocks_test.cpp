@@ -42,12 +42,14 @@ std::size_t below(std::size_t n, Random& random) {
 
 /// Kinds of tables that take different ways through the kernel and the check: plain ones; with a
 /// rim, and 21 segments of a curve; with rows of y, columns by the root of u, a rim and 22
-/// segments; with rows, columns by u and 2 segments.
+/// segments; with rows, columns by u, 2 segments and the surface of a map.
 const std::vector<KernelTables>& honest() {
   static const std::vector<KernelTables> all = [] {
     std::vector<KernelTables> made;
     for (const char* distribution : {"ggx", "disk", "annulus:inner=0.5", "volcano"})
       made.push_back(bake(*small_tables(distribution).tables, {.tolerance = kMostTolerance}));
+    const SurfaceSlopes surface{{0.3, 0.1}, 0.5, {0.25, -1}};
+    made.back() = made.back().with_text({"of a map", {.specification = {}, .surface = surface}});
     return made;
   }();
   return all;
