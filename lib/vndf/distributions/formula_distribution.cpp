@@ -70,6 +70,12 @@ FormulaDistribution FormulaDistribution::from_p22(const Formula& formula,
           breaks};
 }
 
+FormulaDistribution FormulaDistribution::from_function(std::string name,
+                                                       std::function<double(double)> p22,
+                                                       const std::vector<double>& breaks) {
+  return {std::move(name), std::move(p22), false, breaks};
+}
+
 FormulaDistribution FormulaDistribution::from_ndf(const NdfFormula& ndf, double alpha,
                                                   const std::vector<double>& breaks) {
   if (!(alpha > 0) || !std::isfinite(alpha))

@@ -47,6 +47,11 @@ class FormulaDistribution final : public SlopeDistribution {
   static FormulaDistribution from_p22(const Formula& formula,
                                       const std::vector<double>& breaks = {});
 
+  /// p22 as a function of the caller's, in place of a formula. Of the same numbers it is the same
+  /// distribution. Throws std::invalid_argument for breaks as above.
+  static FormulaDistribution from_function(std::string name, std::function<double(double)> p22,
+                                           const std::vector<double>& breaks = {});
+
   /// The surface of roughness `alpha` of a normal distribution, in its natural slopes r =
   /// tan(theta). For a shape-invariant D (shape_invariance.h) alpha = 1 is unit roughness. Throws
   /// std::invalid_argument unless alpha is finite and > 0 and breaks, in r, are within the limits

@@ -137,6 +137,13 @@ SlopeImage slopes_from(const MapPixels& pixels, NormalEncoding encoding) {
 
 }  // namespace
 
+SlopeImage slope_map_of(const MapPixels& pixels, const std::string& name,
+                        NormalEncoding encoding) try {
+  return slopes_from(pixels, encoding);
+} catch (const FormatError& error) {
+  throw MapImageError(name + ": " + error.what());
+}
+
 SlopeImage read_slope_map(const std::filesystem::path& path, NormalEncoding encoding) try {
   return slopes_from(read_pixels(path), encoding);
 } catch (const FormatError& error) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "vndf/io/map_pixels.h"
 #include "vndf/vec.h"
 
 namespace vndf::io {
@@ -42,5 +43,9 @@ class MapImageError : public std::runtime_error {
 /// normal with n.z <= 0 or a length outside [0.5, 1.5] and for a value that is not finite.
 SlopeImage read_slope_map(const std::filesystem::path& path,
                           NormalEncoding encoding = NormalEncoding::automatic);
+
+/// The same of pixels that are in memory. Throws MapImageError, which calls the map `name`.
+SlopeImage slope_map_of(const MapPixels& pixels, const std::string& name,
+                        NormalEncoding encoding = NormalEncoding::automatic);
 
 }  // namespace vndf::io

@@ -21,11 +21,11 @@ namespace {
 
 /// Returns what `action` returns. Adds the name of the file to a FormatError that it throws.
 template <class Action>
-auto naming(const std::filesystem::path& path, Action action) {
+auto naming(const std::string& name, Action action) {
   try {
     return action();
   } catch (const FormatError& error) {
-    throw TableFileError(path.string() + ": " + error.what());
+    throw TableFileError(name + ": " + error.what());
   }
 }
 
@@ -69,17 +69,24 @@ Format format_for(const std::filesystem::path& path) {
                        ": its extension names no table format; use .h5, .hdf5 or .exr");
 }
 
-void save(const std::filesystem::path& path, const TableFile& file) {
-  const Format format = format_for(path);
-  naming(path, [&] { replace_file(path, with_trailer(encoded(format, to_stored(file)))); });
+std::string to_bytes(Format format, const TableFile& file, const std::string& name) {
+  return naming(name, [&] { return with_trailer(encoded(format, to_stored(file))); });
 }
 
-TableFile load(const std::filesystem::path& path) {
-  return naming(path, [&] {
-    const std::string bytes = read_file(path);
+TableFile from_bytes(std::string_view bytes, const std::string& name) {
+  return naming(name, [&] {
     const Format format = format_of(bytes);
     return from_stored(decoded(format, without_trailer(bytes)));
   });
+}
+
+void save(const std::filesystem::path& path, const TableFile& file) {
+  const std::string bytes = to_bytes(format_for(path), file, path.string());
+  naming(path.string(), [&] { replace_file(path, bytes); });
+}
+
+TableFile load(const std::filesystem::path& path) {
+  return from_bytes(naming(path.string(), [&] { return read_file(path); }), path.string());
 }
 
 }  // namespace vndf::io

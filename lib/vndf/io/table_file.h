@@ -4,6 +4,8 @@
 
 #include <filesystem>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 
 #include "vndf/io/content_checksum.h"
 #include "vndf/io/table_content.h"
@@ -37,5 +39,10 @@ void save(const std::filesystem::path& path, const TableFile& file);
 /// an HDF5 library built without thread safety, must not do so during save() and load() of HDF5
 /// files.
 TableFile load(const std::filesystem::path& path);
+
+/// The bytes of the file that save() writes, and the content of such bytes, for whoever keeps files
+/// elsewhere. Throw TableFileError, which calls the file `name`, as save() and load() do.
+std::string to_bytes(Format format, const TableFile& file, const std::string& name);
+TableFile from_bytes(std::string_view bytes, const std::string& name);
 
 }  // namespace vndf::io
