@@ -64,6 +64,17 @@ TEST_CASE("a normal distribution as a formula is costly, a slope density is not"
   CHECK(FormulaDistribution::from_ndf(NdfFormula({"cos(theta)^3", {}})).costly());
 }
 
+TEST_CASE("a function of the caller's is the distribution of its formula") {
+  const auto formula = FormulaDistribution::from_p22({"r < 2 ? exp(-r) : 0", {}}, {1});
+  const auto function = FormulaDistribution::from_function(
+      "mine", [](double r) { return r < 2 ? std::exp(-r) : 0; }, {1});
+  CHECK(function.name() == "mine");
+  CHECK(function.support() == formula.support());
+  CHECK(function.breaks() == formula.breaks());
+  CHECK_FALSE(function.costly());
+  for (const double r : {0.0, 0.5, 1.0, 1.999, 2.0, 3.0}) CHECK(function.p22(r) == formula.p22(r));
+}
+
 TEST_CASE("the usual functions and constants are known") {
   CHECK(value("pi") == std::numbers::pi);
   CHECK(value("e") == std::numbers::e);

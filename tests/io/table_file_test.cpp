@@ -179,6 +179,18 @@ TEST_CASE("the same content gives the same bytes") {
   }
 }
 
+TEST_CASE("tables as bytes are those of a file, and errors name them") {
+  const Folder folder;
+  for (const std::string& extension : kExtensions) {
+    const fs::path path = folder / ("a" + extension);
+    save(path, small_file());
+    const std::string bytes = to_bytes(format_for(path), small_file(), "mine");
+    CHECK(bytes == read_file(path));
+    CHECK(to_stored(from_bytes(bytes, "mine")) == to_stored(small_file()));
+  }
+  check_says(message_of([] { from_bytes("neither", "mine"); }), {"mine: ", "neither"});
+}
+
 TEST_CASE("the checks are those of the format page") {
   Crc64 crc;
   crc.add("1234");

@@ -14,6 +14,7 @@ import vndf
 
 WI = (0.6, 0.0, 0.8)
 SMALL = {"size": 32, "tolerance": 1e-2}
+PAIR = {"size": 32, "tolerance": None}
 
 
 @pytest.fixture(scope="module")
@@ -31,10 +32,12 @@ def test_a_function_builds_the_numbers_of_its_formula(of_function):
     assert of_function.specification == "" and of_function.distribution == "mine"
 
 
-def test_tables_of_a_function_are_validated_where_it_is_known(of_function):
-    assert "mine: pass" in str(vndf.validate(of_function, thoroughness="quick"))
+def test_samples_are_checked_against_a_function_where_it_is_known(of_function):
+    u = np.random.default_rng(1).random((200, 2))
+    wm = of_function.sample(WI, 0.3, u)
+    assert vndf.check(WI, 0.3, wm, u, against=of_function, u_error=0.02).passed
     with pytest.raises(ValueError):
-        vndf.validate(pickle.loads(pickle.dumps(of_function)), thoroughness="quick")
+        vndf.check(WI, 0.3, wm, against=pickle.loads(pickle.dumps(of_function)))
 
 
 def test_what_a_function_raises_is_raised():
@@ -82,7 +85,6 @@ def test_other_threads_run_while_a_function_is_called():
     thread.join()
 
 
-GAUSSIAN = "beckmann"
 WM = (0.1, 0.2, math.sqrt(0.95))
 
 
@@ -90,23 +92,26 @@ def test_profiles_are_arrays():
     r = np.linspace(0, 4, 40)
     noisy = np.exp(-r * r) * (1 + 0.01 * np.sin(40 * r))
     table = vndf.build(
-        profile=(r, noisy), tail="exponential", smooth=True, name="measured", **SMALL
+        profile=(r, noisy), tail="exponential", smooth=True, name="measured", **PAIR
     )
     assert table.distribution == "measured"
     assert table.specification.startswith("profile tail:exponential=")
     assert "smoothed" in table.notes and "fitted within" in table.notes
-    assert table.d(WM, 0.5) == pytest.approx(vndf.build(GAUSSIAN, **SMALL).d(WM, 0.5), rel=0.05)
+    assert table.d(WM, 0.5) == pytest.approx(vndf.reference.beckmann_ndf.d(WM, 0.5), rel=0.05)
 
 
 def test_maps_are_arrays_or_files(tmp_path):
     slopes = np.random.default_rng(1).normal(size=(200, 200, 2)) * np.sqrt(0.5) * (0.3, 0.1)
     normals = np.dstack([-slopes, np.ones(slopes.shape[:2])])
     normals /= np.linalg.norm(normals, axis=2, keepdims=True)
-    table = vndf.build(normal_map=np.uint16(np.round((normals + 1) / 2 * 65535)), **SMALL)
+    table = vndf.build(normal_map=np.uint16(np.round((normals + 1) / 2 * 65535)), **PAIR)
     assert "normals n = 2 v - 1, 200 x 200 texels" in table.notes
     # E|X| of unit roughness is 1 of a map, and 1 / sqrt(pi) of Beckmann.
-    gaussian = vndf.build(GAUSSIAN, **SMALL)
+    gaussian = vndf.reference.beckmann_ndf
     assert table.d(WM, 0.5 / math.sqrt(math.pi)) == pytest.approx(gaussian.d(WM, 0.5), rel=0.05)
+    # What was taken out of the map can be put back.
+    slopes_of_surface = gaussian.d(WM, (0.3, 0.1))
+    assert table.d(WM, table.surface) == pytest.approx(slopes_of_surface, rel=0.1)
     # Other maps, which are refused because a texel is wrong or the map is not radially symmetric.
     square = np.random.default_rng(1).uniform(-1, 1, size=(200, 200, 2)).astype(np.float32)
     with pytest.raises(ValueError, match="symmetric"):

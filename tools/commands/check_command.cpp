@@ -1,7 +1,5 @@
 // vndf check: checks the samples of any sampler, from a file of records. The exit status is 0 where
 // they are accepted, 1 where they are rejected, and 2 where the input cannot be used.
-#include <fmt/format.h>
-
 #include <iostream>
 #include <memory>
 #include <string>
@@ -14,7 +12,6 @@
 #include "commands/table_files.h"
 #include "report/verdict_text.h"
 #include "vndf/distributions/specification.h"
-#include "vndf/validate/exact/place_text.h"
 #include "vndf/validate/records.h"
 #include "vndf/validate/sampler/sampler_under_test.h"
 #include "vndf/validate/validate_records.h"
@@ -51,21 +48,6 @@ std::unique_ptr<ExactSlopes> against(const std::string& argument) {
   if (names_a_file(argument))
     return std::make_unique<ExactSlopes>(distribution_of(argument, load_tables(argument)));
   return std::make_unique<ExactSlopes>(distributions::make_distribution({argument}));
-}
-
-/// Whether the records are accepted, or else the worst failure with its place, and the others.
-std::string conclusion(const validate::Verdict& verdict) {
-  const auto failures = verdict.failures();
-  if (failures.empty()) return "accepted\n";
-  const validate::CheckResult& worst = failures.front();
-  std::string text = fmt::format("rejected: {}, {}", worst.check, worst.statistic);
-  if (!std::isnan(worst.where.theta))
-    text +=
-        fmt::format(" at theta {:.6g} degrees, alpha {:.4g} x {:.4g}{}", worst.where.theta,
-                    worst.where.alpha_x, worst.where.alpha_y, validate::surface_text(worst.where));
-  for (std::size_t k = 1; k < failures.size(); ++k)
-    text += fmt::format("; {}, {}", failures[k].check, failures[k].statistic);
-  return text + "\n";
 }
 
 validate::Verdict validated(const std::string& file, const validate::Records& records,

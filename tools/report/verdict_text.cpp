@@ -119,6 +119,20 @@ std::string describe(const Verdict& verdict) {
   return text;
 }
 
+std::string conclusion(const Verdict& verdict) {
+  const auto failures = verdict.failures();
+  if (failures.empty()) return "accepted\n";
+  const CheckResult& worst = failures.front();
+  std::string text = fmt::format("rejected: {}, {}", worst.check, worst.statistic);
+  if (!std::isnan(worst.where.theta))
+    text +=
+        fmt::format(" at theta {:.6g} degrees, alpha {:.4g} x {:.4g}{}", worst.where.theta,
+                    worst.where.alpha_x, worst.where.alpha_y, validate::surface_text(worst.where));
+  for (std::size_t k = 1; k < failures.size(); ++k)
+    text += fmt::format("; {}, {}", failures[k].check, failures[k].statistic);
+  return text + "\n";
+}
+
 std::string resolution_text(const Resolution& r) {
   return fmt::format(
       "{} samples of {} were counted, which show errors of {:.1e} in u and of {:.1e} in the mass "

@@ -17,6 +17,9 @@ std::string describe(const validate::Verdict& verdict);
 /// The same as one object. Place, tests and note are left out where they do not apply.
 nlohmann::ordered_json to_json(const validate::Verdict& verdict);
 
+/// Whether records are accepted, or else the worst failure with its place, and the others.
+std::string conclusion(const validate::Verdict& verdict);
+
 /// What counted samples can show, as part of a sentence that has no full stop.
 std::string resolution_text(const validate::Resolution& resolution);
 

@@ -56,6 +56,11 @@ Source of_family(const std::string& text, const std::string& name) {
   return {distributions::specify_family(text, name)};
 }
 
+/// Any of the grammar of specifications but a profile, whose samples are not in the text.
+Source of_specification(const std::string& text) {
+  return {{text}};
+}
+
 Source of_p22(const std::string& formula, const std::map<std::string, double>& parameters,
               const std::vector<double>& breaks, const std::string& name) {
   return {distributions::specify_p22({formula, parameters}, breaks, name)};
@@ -122,13 +127,11 @@ Source of_slopes(const io::SlopeImage& image, bool ignore_asymmetry, const std::
   const auto& s = estimate.statistics;
   return {distributions::specify_profile(*estimate.distribution),
           fmt::format("map: {}, {} x {} texels\n", image.content, image.width, image.height) +
-              fmt::format("map: mean slope ({:.6g}, {:.6g}), alpha {:.6g} x {:.6g}, "
-                          "correlation {:.4g}\n",
-                          s.mean_x, s.mean_y, s.alpha_x, s.alpha_y, s.correlation) +
               fmt::format("estimated: u-error below {:.2e} (95 %), asymmetry {:.3f} (bound "
                           "{:.3f})\n",
                           s.u_error, s.asymmetry, s.asymmetry_bound) +
-              text_of(estimate.distribution->tail())};
+              text_of(estimate.distribution->tail()),
+          s.surface};
 }
 
 io::NormalEncoding encoding_of(const std::string& name) {
@@ -164,6 +167,7 @@ Source of_map_file(const std::string& path, const std::string& encoding, bool ig
 void add_sources(py::module_& module) {
   py::class_<Source>(module, "Source");
   module.def("source_of_family", of_family);
+  module.def("source_of_specification", of_specification);
   module.def("source_of_p22", of_p22);
   module.def("source_of_function", of_function);
   module.def("source_of_ndf", of_ndf);

@@ -5,6 +5,7 @@
 #include <pybind11/pybind11.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct Source {
   Specification specification = {};
   /// What was found on the way, for people.
   std::string notes = {};
+  /// That of the map that it is from.
+  std::optional<SurfaceSlopes> surface = {};
   /// p22(r) as a Python function, if it is one, with its breaks and the name for people.
   std::shared_ptr<const pybind11::function> function = {};
   std::vector<double> breaks = {};
@@ -30,9 +33,9 @@ struct Source {
   unsigned threads(unsigned wanted) const { return function ? 1 : wanted; }
 };
 
-/// Lets other threads of Python run, unless `source` is one of its functions and all work is done on
-/// this thread: then each of some 1e7 calls would wait until they let go. They run while the function
-/// does.
+/// Lets other threads of Python run, unless `source` is one of its functions and all work is done
+/// on this thread: then each of some 1e7 calls would wait until they let go. They run while the
+/// function does.
 class ReleaseUnlessFunction {
  public:
   explicit ReleaseUnlessFunction(const Source& source);

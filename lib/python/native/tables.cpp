@@ -3,6 +3,7 @@
 
 #include <pybind11/stl.h>
 
+#include <array>
 #include <span>
 #include <string>
 #include <string_view>
@@ -74,7 +75,8 @@ Tables build(const Source& source, const Size& size, const std::optional<Baking>
   Tables tables;
   tables.built_from = source;
   tables.pair = {built.tables,
-                 {source.specification, command, "vndf " VNDF_VERSION " (Python)", source.notes},
+                 {source.specification, command, "vndf " VNDF_VERSION " (Python)", source.notes,
+                  source.surface},
                  built.certificate};
   if (baking) bake_from(source, *distribution, *baking, threads, tables);
   return tables;
@@ -160,9 +162,16 @@ py::dict dict_of(const Certificate& certificate) {
   return figures;
 }
 
-template <class Get>
-auto of_pair_or_kernel(Get get) {
-  return [get](const Tables& t) { return t.kernel ? get(t.kernel->text()) : get(*t.pair); };
+Provenance provenance_of(const Tables& tables) {
+  return tables.kernel ? tables.kernel->text().provenance : tables.pair->provenance;
+}
+
+/// Roughness along x and y, correlation and mean slope, if tables are of a map.
+std::optional<std::array<double, 5>> surface_of(const Tables& tables) {
+  const auto surface = provenance_of(tables).surface;
+  if (!surface) return {};
+  return {
+      {surface->alpha.x, surface->alpha.y, surface->correlation, surface->mean.x, surface->mean.y}};
 }
 
 }  // namespace
@@ -173,6 +182,7 @@ void add_tables(py::module_& module) {
   py::class_<Size>(module, "Size").def(py::init<std::size_t, std::size_t, bool>());
   py::class_<Tables>(module, "Tables")
       .def("sampler", &Tables::sampler)
+      .def("source", &Tables::source)
       .def("bytes_of_kernel", bytes_of_kernel)
       .def("bytes_of_pair", bytes_of_pair)
       .def_property_readonly("has_kernel", [](const Tables& t) { return t.kernel.has_value(); })
@@ -188,8 +198,8 @@ void add_tables(py::module_& module) {
                              })
       .def_property_readonly("specification",
                              [](const Tables& t) { return t.source().specification.text; })
-      .def_property_readonly("notes",
-                             of_pair_or_kernel([](const auto& x) { return x.provenance.notes; }))
+      .def_property_readonly("notes", [](const Tables& t) { return provenance_of(t).notes; })
+      .def_property_readonly("surface", surface_of)
       .def("describe_kernel", [](const Tables& t) { return tools::describe(*t.kernel); })
       .def("describe_pair", [](const Tables& t) { return tools::describe(*t.pair); });
   module.def("build", build);

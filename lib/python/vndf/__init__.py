@@ -19,7 +19,7 @@ from ._bsdfs import BsdfSample, ConductorBrdf, DielectricBsdf
 from ._sampler import SampledNormals, Sampler
 from ._surface import Surface
 from ._tables import Table, build, load
-from ._verdicts import Verdict, validate
+from ._verdicts import Verdict, check, validate
 
 __all__ = [
     "BsdfSample",
@@ -31,6 +31,7 @@ __all__ = [
     "Table",
     "Verdict",
     "build",
+    "check",
     "load",
     "reference",
     "validate",

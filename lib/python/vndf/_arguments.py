@@ -12,7 +12,6 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _native
 from ._surface import Surface
 
 Floats = NDArray[np.floating[Any]]
@@ -48,8 +47,8 @@ def numbers(name: str, value: ArrayLike) -> Floats:
     return np.require(array, np.float32 if single else np.float64, "A")
 
 
-def prepare(sampler: _native.Sampler, alpha: object, *arguments: Vectors) -> Arguments:
-    """Checks arguments and brings them to one shape."""
+def prepare(in_double: bool, alpha: object, *arguments: Vectors) -> Arguments:
+    """Checks arguments and brings them to one shape; `in_double` if results may be float64."""
     arrays = [_of_width(a) for a in arguments]
     surfaces = alpha._numbers if isinstance(alpha, Surface) else _alphas(alpha)
     width = max(2, surfaces.shape[-1])  # one number is that along x and y
@@ -60,7 +59,7 @@ def prepare(sampler: _native.Sampler, alpha: object, *arguments: Vectors) -> Arg
         [np.broadcast_to(x, shape + x.shape[-1:]) for x in arrays],
         np.broadcast_to(surfaces, shape + (width,)),
         shape,
-        np.dtype(np.float64 if sampler.in_double and _in_double(arguments) else np.float32),
+        np.dtype(np.float64 if in_double and _in_double(arguments) else np.float32),
     )
 
 

@@ -177,7 +177,7 @@ class ConductorBrdf:
         return BsdfSample(wo, self._shaped(weight), plain(pdf))
 
     def _prepare(self, *arguments: Vectors) -> Any:
-        return prepare(self._sampler._sampler, self._alpha, *arguments)
+        return prepare(self._sampler._sampler.in_double, self._alpha, *arguments)
 
     def _shaped(self, channels: Floats) -> Any:
         return channels if self._channels else plain(channels[..., 0])
@@ -314,7 +314,7 @@ class DielectricBsdf:
         return BsdfSample(wo, plain(weight), plain(pdf))
 
     def _prepare(self, *arguments: Vectors) -> Any:
-        return prepare(self._sampler._sampler, self._alpha, *arguments)
+        return prepare(self._sampler._sampler.in_double, self._alpha, *arguments)
 
     def _evaluate(self, function: Any, wi: ArrayLike, wo: ArrayLike, threads: int) -> Any:
         a = self._prepare(Vectors("wi", wi, 3), Vectors("wo", wo, 3))

@@ -240,7 +240,7 @@ class Sampler:
         return self._evaluate(_native.g2, a, threads)
 
     def _prepare(self, alpha: Alpha, *arguments: Vectors) -> Arguments:
-        return prepare(self._sampler, alpha, *arguments)
+        return prepare(self._sampler.in_double, alpha, *arguments)
 
     def _evaluate(self, function: Any, a: Arguments, threads: int) -> Any:
         results = a.empty()

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from . import _native
 from ._arguments import Floats, Vectors, numbers, plain, thread_count
 from ._sampler import Alpha, SampledNormals, Sampler
+from ._surface import Surface
 
 Path = Union[str, "os.PathLike[str]"]
 
@@ -232,6 +233,18 @@ class Table(Sampler):
         ''
         """
         return self._tables.notes
+
+    @property
+    def surface(self) -> Optional[Surface]:
+        """The surface of the map that the table is from, in units of the distribution, or None.
+
+        It is what was taken out of the map: roughness, correlation and mean slope.
+
+        >>> table.surface is None
+        True
+        """
+        named = self._tables.surface
+        return None if named is None else Surface(named[:2], named[2], named[3:])
 
     @property
     def certificate(self) -> dict[str, float]:

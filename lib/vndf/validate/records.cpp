@@ -46,8 +46,8 @@ bool has_length_one(const Vec3<double>& v) {
   return std::abs(std::hypot(v.x, v.y, v.z) - 1) <= kLengthSlack;
 }
 
-bool is_probability(double u) {
-  return u >= 0 && u <= 1;
+bool is_probability_or_unknown(double u) {
+  return std::isnan(u) || (u >= 0 && u <= 1);
 }
 
 bool is_roughness(double alpha) {
@@ -87,21 +87,25 @@ Record read_record(const support::CsvReader& csv, const Header& header) {
   r.wm = vector();
   if (header.pdf) r.pdf = number();
 
-  const auto require = [&](bool holds, const char* rule) {
-    if (!holds) csv.fail_in_line(rule);
-  };
-  require(has_length_one(c.wi), "wx,wy,wz must have length 1");
-  require(is_roughness(c.alpha.x) && is_roughness(c.alpha.y), "ax and ay must be from 1e-9 to 1e9");
-  require(std::abs(c.correlation) < 1, "correlation must be inside (-1, 1)");
-  require(is_mean_slope(c.mean.x) && is_mean_slope(c.mean.y),
-          "mean_x and mean_y must be from -1e9 to 1e9");
-  require(!header.u || (is_probability(r.u1) && is_probability(r.u2)),
-          "u1 and u2 must be in [0, 1]");
-  require(has_length_one(r.wm), "mx,my,mz must have length 1");
+  if (const auto rule = broken_rule(r)) csv.fail_in_line(*rule);
   return r;
 }
 
 }  // namespace
+
+std::optional<std::string> broken_rule(const Record& r) {
+  const Configuration& c = r.configuration;
+  if (!has_length_one(c.wi)) return "wx,wy,wz must have length 1";
+  if (!is_roughness(c.alpha.x) || !is_roughness(c.alpha.y))
+    return "ax and ay must be from 1e-9 to 1e9";
+  if (!(std::abs(c.correlation) < 1)) return "correlation must be inside (-1, 1)";
+  if (!is_mean_slope(c.mean.x) || !is_mean_slope(c.mean.y))
+    return "mean_x and mean_y must be from -1e9 to 1e9";
+  if (!is_probability_or_unknown(r.u1) || !is_probability_or_unknown(r.u2))
+    return "u1 and u2 must be in [0, 1]";
+  if (!has_length_one(r.wm)) return "mx,my,mz must have length 1";
+  return {};
+}
 
 Records read_records(std::istream& stream, const std::string& name, std::size_t most) {
   support::CsvReader csv(stream, name);

@@ -11,6 +11,7 @@
 
 #include <filesystem>
 #include <istream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,10 @@ struct Records {
   bool has_u = false, has_pdf = false;
   std::size_t read = 0;  ///< how many the file has; list holds them all, or a random part of them
 };
+
+/// The first rule that `record` breaks, for a message, or nothing: directions of length 1, roughness,
+/// correlation and mean slopes within their limits and, unless kUnknown, random numbers in [0, 1].
+std::optional<std::string> broken_rule(const Record& record);
 
 /// Reads records from a file. Of more than kMostRecords it keeps that many, each with the same
 /// probability, in an order that is not that of the file (Vitter 1985, algorithm R); the choice is
