@@ -181,7 +181,7 @@ TEST_CASE("directions below the horizon need tables that have them") {
     CHECK(folder.run("sample all.vndf --alpha 1 " + options).status == 0);
     check_failure(folder.run("sample above.vndf --alpha 1 " + options),
                   "above.vndf: wi is behind the mean facet, and the tables were baked with "
-                  "--above-only; bake them without");
+                  "--above-only; bake them without it");
   }
   CHECK(folder.run("sample above.vndf --alpha 1 --wi 0.8,0,-0.6 --mean -1,0").status == 0);
   CHECK_THAT(folder.run("sample above.vndf --stdin", "0 0 -1 1 1 0.5 0.5\n").error,

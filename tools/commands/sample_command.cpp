@@ -5,7 +5,9 @@
 #include <cmath>
 #include <iostream>
 #include <iterator>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -47,7 +49,7 @@ struct Source {
     if (rule.empty() && !sees_below && in.surface.surface<double>().projected_area(in.wi) < 0)
       rule =
           "wi is behind the mean facet, and the tables were baked with --above-only; bake them "
-          "without";
+          "without it";
     return rule;
   }
 
@@ -125,8 +127,8 @@ SampleInputs from_options(const SampleArguments& a, const std::optional<SurfaceS
   return inputs;
 }
 
-/// The columns of a record for `vndf check` that are the same for all samples, or those that the
-/// surface does not need left out.
+/// The columns of a record for `vndf check` that are the same for all samples. A flat surface has
+/// none for correlation and mean slope.
 struct RecordColumns {
   std::string names, values;
 };
