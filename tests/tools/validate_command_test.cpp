@@ -100,6 +100,9 @@ TEST_CASE("validate makes all checks on the surface of its options, and names it
   CHECK(folder.run("validate ggx.h5 --quick --seed 1 --rotate 30").status == 0);
   CHECK(folder.run("validate ggx.h5 --quick --correlation 1").status == 2);
   CHECK(folder.run("validate ggx.h5 --quick --correlation 0.5 --rotate 30").status == 2);
+  const Result unmapped = folder.run("validate ggx.h5 --quick --as-mapped");
+  CHECK(unmapped.status == 1);
+  CHECK_THAT(unmapped.error, contains("ggx.h5: it records no surface"));
   const Result narrow = folder.run("validate ggx.h5 --quick --correlation 0.99999");
   CHECK(narrow.status == 1);
   CHECK_THAT(narrow.error, contains("ggx.h5") && contains("give a correlation nearer to 0"));

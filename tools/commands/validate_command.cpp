@@ -48,25 +48,32 @@ class SharedSlopes {
   std::map<std::string, std::shared_ptr<const ExactSlopes>> made_;
 };
 
-/// `sampler`, to be checked on the surface of the options. They are refused before any work.
-SamplerUnderTest on_surface(SamplerUnderTest sampler, const SurfaceArguments& surface) {
-  sampler.surface = [surface, name = sampler.name](const Alpha<double>& alpha) {
-    return surface_of(surface, alpha, name, {});
+/// `sampler`, to be checked on the surface of the options, or on that which its tables record.
+/// Options that make no surface are refused before any work.
+SamplerUnderTest on_surface(SamplerUnderTest sampler, const SurfaceArguments& surface,
+                            const std::optional<SurfaceSlopes>& recorded) {
+  sampler.surface = [=, name = sampler.name](const Alpha<double>& alpha) {
+    return surface_of(surface, alpha, name, recorded);
   };
   sampler.surface({1, 1});
   return sampler;
 }
 
-SamplerUnderTest sampler_of(const std::string& argument, SharedSlopes& shared) {
+SamplerUnderTest sampler_of(const std::string& file, const AnyTables& tables) {
+  const auto exact = std::make_shared<ExactSlopes>(distribution_of(file, tables));
+  if (const auto* pair = std::get_if<io::TableFile>(&tables))
+    return validate::tables_under_test(file, exact, pair->tables, pair->certificate);
+  return validate::baked_tables_under_test(file, exact, std::get<KernelTables>(tables));
+}
+
+SamplerUnderTest sampler_of(const std::string& argument, const SurfaceArguments& surface,
+                            SharedSlopes& shared) {
   if (names_a_file(argument)) {
     const AnyTables tables = load_tables(argument);
-    const auto exact = std::make_shared<ExactSlopes>(distribution_of(argument, tables));
-    if (const auto* pair = std::get_if<io::TableFile>(&tables))
-      return validate::tables_under_test(argument, exact, pair->tables, pair->certificate);
-    return validate::baked_tables_under_test(argument, exact, std::get<KernelTables>(tables));
+    return on_surface(sampler_of(argument, tables), surface, provenance_of(tables).surface);
   }
   const auto& named = validate::find_sampler(argument);
-  return named.make(named.name, shared.of(named));
+  return on_surface(named.make(named.name, shared.of(named)), surface, {});
 }
 
 Thoroughness thoroughness(const ValidateArguments& a) {
@@ -92,7 +99,7 @@ bool validate_all(const ValidateArguments& a) {
   SharedSlopes shared;
   std::vector<SamplerUnderTest> samplers;  // wrong names are told before any work
   for (const std::string& argument : a.samplers)
-    samplers.push_back(on_surface(sampler_of(argument, shared), a.surface));
+    samplers.push_back(sampler_of(argument, a.surface, shared));
 
   const std::uint64_t seed = a.seed.value_or(fresh_seed());
   const auto report = report_of(a, seed);  // what hinders it is told before any work, too

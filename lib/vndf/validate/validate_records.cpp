@@ -115,11 +115,8 @@ class RecordValidation {
     for (const Record& r : records_.list) {
       const Configuration& c = r.configuration;
       const Place place = place_of(c, r.u1, r.u2);
-      const double stretch = 1 +
-                             std::max(c.alpha.x, c.alpha.y) * exact_.unit_slopes().mean_slope() +
-                             std::hypot(c.mean.x, c.mean.y);
       horizon.see(std::max(0.0, -r.wm.z), place);
-      facing.see(std::max(0.0, -dot(c.wi, r.wm)) / stretch, place);
+      facing.see(std::max(0.0, -dot(c.wi, r.wm)) / facing_stretch(exact_, c), place);
       if (records_.has_pdf) pdf.see(density_error(r), place);
     }
     std::vector<CheckResult> results{horizon.result("normals", "below the horizon", kFacing)};

@@ -20,14 +20,6 @@ bool is_carried(const SamplerUnderTest& sampler, const Configuration& c, const V
   return area == 0 || sampler.exact->d(wm, c.surface()) < kLargestDensity * area;
 }
 
-/// By how much -dot(wi, wm) may be larger than where no slope is larger than 1.
-double stretch(const SamplerUnderTest& sampler, const Configuration& c) {
-  const double shear =
-      std::abs(c.correlation) * std::max(c.alpha.y / c.alpha.x, c.alpha.x / c.alpha.y);
-  return 1 + std::max(c.alpha.x, c.alpha.y) * sampler.exact->unit_slopes().mean_slope() +
-         std::hypot(c.mean.x, c.mean.y) + shear;
-}
-
 /// The angles to the mean facet. From below 90 degrees on only what is claimed is measured.
 constexpr double kAngles[] = {0.0,       1e-20,     1e-7, 0.1,       45.0,  89.0,  89.99,
                               90 - 1e-5, 90 - 1e-7, 90.0, 90 + 1e-5, 100.0, 135.0, 180.0};
@@ -46,7 +38,7 @@ void measure(const SamplerUnderTest& sampler, const Configuration& c, const Rand
   errors.unit.see(std::abs(length - 1), place);
   errors.horizon.see(std::max(0.0, -wm.z), place);
   if (sampler.claims.normals != SampledNormals::all && sampler.claims_to_see(c))
-    errors.facing.see(std::max(0.0, -dot(c.wi, wm)) / stretch(sampler, c), place);
+    errors.facing.see(std::max(0.0, -dot(c.wi, wm)) / facing_stretch(*sampler.exact, c), place);
   // At the horizon of a heavy tail the density itself is beyond single precision, and infinite is
   // then no error.
   if (wm.z > 0 && !is_carried(sampler, c, wm)) return;

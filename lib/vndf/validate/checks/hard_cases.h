@@ -16,10 +16,8 @@ namespace vndf::validate {
 
 /// The largest error of the length of a normal: the rounding of single precision.
 inline constexpr double kUnitSlack = 1e-6;
-/// The largest -dot(wi, wm) over 1 + alpha mu, where mu is E|X| at unit roughness. At the edge of
-/// visibility a stretched slope is rounded by some 1e-6 in units of mu, and unstretching multiplies
-/// that by alpha mu. To that are added the length of the mean slope and the correlation times the
-/// ratio of the roughnesses, which multiply roundings where a stretch is made of shears.
+/// The largest -dot(wi, wm) over facing_stretch(), which is 1 + alpha mu on a flat surface. At the
+/// edge of visibility a stretched slope is rounded by some 1e-6 in units of mu.
 inline constexpr double kFacingError = 1e-6;
 
 /// The worst of each over all these inputs.

@@ -77,6 +77,12 @@ double ExactSlopes::g1(const Vec3<double>& w, const ExactSurface& surface) const
   return 1 / (1 + lambda(w, surface));
 }
 
+double facing_stretch(const ExactSlopes& exact, const Configuration& c) {
+  const auto [least, most] = std::minmax(c.alpha.x, c.alpha.y);
+  return 1 + most * exact.unit_slopes().mean_slope() + std::hypot(c.mean.x, c.mean.y) +
+         std::abs(c.correlation) * most / least;
+}
+
 StretchedFrame::StretchedFrame(const ExactSlopes& exact, const Configuration& c)
     : surface_(c.surface()), mean_slope_(exact.unit_slopes().mean_slope()) {
   const Vec3<double> w = surface_.stretched(c.wi);

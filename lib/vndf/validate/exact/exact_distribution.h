@@ -77,6 +77,11 @@ class ExactSlopes {
   RadialDistribution all_radii_;
 };
 
+/// By how much the stretch of a surface multiplies roundings of dot(wi, wm): by 1 + alpha mu where
+/// it is flat, with mu = E|X| at unit roughness. To that are added the length of the mean slope
+/// and, where a sampler shears, the correlation times the ratio of the roughnesses.
+double facing_stretch(const ExactSlopes& exact, const Configuration& configuration);
+
 /// The slope (x / w, y / w) of a normal in the frame of the stretched incident direction, in units
 /// of the mean slope. It is kept as a fraction because w is 0 at the horizon.
 struct StretchedSlope {
