@@ -43,6 +43,10 @@ class Clone {
       const std::string example = "build/tests/example_" + name;
       fs::create_symlink(build / "tests" / ("example_" + name), top_ / example);
     }
+    fs::create_symlink(build / "python", top_ / "build/python");
+    fs::create_symlink(VNDF_PYTHON, top_ / "build/tools/python3");
+    fs::create_directories(top_ / "tests/examples");
+    fs::create_symlink(source / "tests/examples/python", top_ / "tests/examples/python");
     fs::copy(source / "tables", top_ / "tables", fs::copy_options::recursive);
   }
   ~Clone() {
@@ -110,6 +114,9 @@ TEST_CASE("README.md", "[.page]") {
 }
 TEST_CASE("lib/README.md", "[.page]") {
   check_page("lib/README.md");
+}
+TEST_CASE("lib/python/README.md", "[.page]") {
+  check_page("lib/python/README.md");
 }
 TEST_CASE("tables/README.md", "[.page]") {
   check_page("tables/README.md");

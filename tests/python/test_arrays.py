@@ -82,7 +82,9 @@ def test_strides_do_not_matter(table, random, dtype):
     assert np.array_equal(table.sample(*backwards)[::-1], expected)
     swapped = [x.astype(x.dtype.newbyteorder()) for x in (wi, alpha, u)]
     assert np.array_equal(table.sample(*swapped), expected)
-    unaligned = [np.frombuffer(b"x" + x.tobytes(), dtype, offset=1).reshape(x.shape) for x in (wi, alpha, u)]
+    unaligned = [
+        np.frombuffer(b"x" + x.tobytes(), dtype, offset=1).reshape(x.shape) for x in (wi, alpha, u)
+    ]
     assert np.array_equal(table.sample(*unaligned), expected)
     folded = [x.reshape(3, -1, 10, x.shape[1]).swapaxes(0, 2) for x in (wi, alpha, u)]
     assert np.array_equal(table.sample(*folded).swapaxes(0, 2).reshape(n, 3), expected)

@@ -51,9 +51,9 @@ def test_bsdfs_are_pickled(table, random):
     u = random.random((10, 3))
     glass = vndf.DielectricBsdf(table, vndf.Surface(0.3, 0.5), 1.5)
     metal = vndf.ConductorBrdf(vndf.reference.ggx_caps, (0.3, 0.1), 0.2, 3.0)
-    assert np.array_equal(pickle.loads(pickle.dumps(glass)).sample(WI, u).wo, glass.sample(WI, u).wo)
-    v = u[:, :2]
-    assert np.array_equal(pickle.loads(pickle.dumps(metal)).sample(WI, v).wo, metal.sample(WI, v).wo)
+    for bsdf, v in ((glass, u), (metal, u[:, :2])):
+        again = pickle.loads(pickle.dumps(bsdf))
+        assert np.array_equal(again.sample(WI, v).wo, bsdf.sample(WI, v).wo)
 
 
 @pytest.mark.parametrize(

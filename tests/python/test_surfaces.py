@@ -32,8 +32,7 @@ def test_three_ways_to_the_same_surface(table, random):
 
 
 def test_d_of_a_tilted_surface_keeps_its_projected_area(table):
-    # The projected area of all facets, int D(wm) wm.z, is that of the surface, and the mean facet of
-    # the mean slope (a, b) shows int D(wm) dot(wm, w) = w.z - a w.x - b w.y.
+    # The mean facet of the mean slope (a, b) shows int D(wm) dot(wm, w) = w.z - a w.x - b w.y.
     surface = vndf.Surface((0.3, 0.2), 0.4, (0.2, -0.1))
     z = (np.arange(2000) + 0.5) / 2000
     phi = (np.arange(400) + 0.5) / 400 * 2 * np.pi

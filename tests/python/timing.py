@@ -2,8 +2,8 @@
 
     timing.py VNDF_LIBRARY_VALUES [ROUNDS]
 
-All are timed in turn in one run, because a shared machine is slower at one time than at another. The
-lowest and the median time of the rounds are printed in milliseconds.
+All are timed in turn in one run, because a shared machine is slower at one time than at another.
+The lowest and the median time of the rounds are printed in milliseconds.
 """
 
 import subprocess

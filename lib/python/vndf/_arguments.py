@@ -1,7 +1,8 @@
 """Arguments of every function of a sampler: their shapes, their precision and their surfaces.
 
-All functions take arrays whose last axis has the numbers of one sample, and broadcast the axes before
-it as NumPy does. Here these arrays are brought to one shape by views, so that nothing is copied.
+All functions take arrays whose last axis has the numbers of one sample, and broadcast the axes
+before it as NumPy does. Here these arrays are brought to one shape by views, so that nothing is
+copied.
 """
 
 from __future__ import annotations
@@ -39,7 +40,7 @@ class Arguments(NamedTuple):
 
 
 def numbers(name: str, value: ArrayLike) -> Floats:
-    """`value` as an array of float32 or float64, which is a copy only where it is something else."""
+    """`value` as an array of float32 or float64: a copy only where it is something else."""
     array = np.asarray(value)
     if array.dtype.kind not in "fiu":
         raise TypeError(f"{name} has the dtype {array.dtype}; give real numbers")
@@ -53,7 +54,7 @@ def prepare(in_double: bool, alpha: object, *arguments: Vectors) -> Arguments:
     surfaces = alpha._numbers if isinstance(alpha, Surface) else _alphas(alpha)
     width = max(2, surfaces.shape[-1])  # one number is that along x and y
     given = [(a.name, np.shape(a.value)) for a in arguments]
-    given.append(("alpha", surfaces.shape if isinstance(alpha, Surface) else np.shape(alpha)))  # type: ignore[arg-type]
+    given.append(("alpha", np.shape(surfaces if isinstance(alpha, Surface) else np.asarray(alpha))))
     shape = _common_shape(given, [x.shape[:-1] for x in (*arrays, surfaces)])
     return Arguments(
         [np.broadcast_to(x, shape + x.shape[-1:]) for x in arrays],

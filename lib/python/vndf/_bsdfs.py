@@ -13,7 +13,7 @@ from ._sampler import Alpha, Sampler
 
 
 class BsdfSample(NamedTuple):
-    """Directions that a BSDF draws. Light is lost where weight and pdf are 0, and wo means nothing."""
+    """Directions that a BSDF draws. Where weight and pdf are 0, light is lost and wo is nothing."""
 
     wo: Floats
     weight: Any
@@ -333,6 +333,7 @@ class DielectricBsdf:
 def _checked(sampler: Sampler) -> Sampler:
     if not isinstance(sampler, Sampler):
         raise TypeError(
-            f"sampler is of type {type(sampler).__name__}; give a vndf.Table or one of vndf.reference"
+            f"sampler is of type {type(sampler).__name__}; give a vndf.Table or one of "
+            "vndf.reference"
         )
     return sampler

@@ -133,7 +133,7 @@ class Sampler:
 
         Returns
         -------
-        (...) : densities; 0 for a normal on or below the horizon and for an input outside its range.
+        (...) : densities; 0 for a normal on or below the horizon and an input outside its range.
 
         Raises
         ------
@@ -208,8 +208,8 @@ class Sampler:
     ) -> Any:
         """Masking and shadowing G2(wi, wo, wm), in reflection and in transmission.
 
-        It is that of Smith with correlated heights (Heitz 2014), and that of V-cavities for samplers
-        of V-cavities.
+        It is that of Smith with correlated heights (Heitz 2014), and that of V-cavities for
+        samplers of these.
 
         Parameters
         ----------

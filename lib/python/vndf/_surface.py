@@ -11,8 +11,9 @@ from . import _native
 class Surface:
     """A rough surface with correlated slopes or a mean slope, in place of `alpha`.
 
-    Slopes along x and y are stretched by `alpha`, have a `correlation`, and lie about the mean slope
-    `mean`, that of the facet (-mean_x, -mean_y, 1). Filtered normal maps (LEADR, Dupuy et al. 2013)
+    Slopes along x and y are stretched by `alpha`, have a `correlation`, and lie about the mean
+    slope `mean`, that of the facet (-mean_x, -mean_y, 1).
+    Filtered normal maps (LEADR, Dupuy et al. 2013)
     and scratches at an angle are such surfaces. Lambda and G1 on them are relative to the mean
     normal.
 

@@ -17,7 +17,7 @@ Path = Union[str, "os.PathLike[str]"]
 
 
 class Table(Sampler):
-    """Tables of a slope distribution, from which normals are sampled. `build` and `load` make them.
+    """Tables of a slope distribution, from which normals are sampled; of `build` and `load`.
 
     A table has the pair of tables (Heitz and d'Eon 2014), which serves both precisions, or the baked
     tables of a renderer, from which batches are drawn in single precision, or both. Where it has
@@ -180,7 +180,8 @@ class Table(Sampler):
         else:
             if not self._tables.has_pair:
                 raise ValueError(
-                    f"{name}: this table has no pair, only the tables baked from it; save a .vndf file"
+                    f"{name}: this table has no pair, only the tables baked from it; save a .vndf "
+                    "file"
                 )
             _native.save_pair(self._tables, name)
 
@@ -248,7 +249,7 @@ class Table(Sampler):
 
     @property
     def certificate(self) -> dict[str, float]:
-        """The measured errors, by their names in files: those of the baked tables if there are some.
+        """The measured errors, by their names in files: of the baked tables if there are some.
 
         >>> table.certificate["marginal_max_u_error"] < 1e-3
         True
@@ -281,7 +282,8 @@ class Table(Sampler):
             if there
         ]
         error = self.certificate["marginal_max_u_error"]
-        return f"<vndf.Table of {self.distribution}: {' and '.join(parts)}, max u-error {error:.2e}>"
+        has = " and ".join(parts)
+        return f"<vndf.Table of {self.distribution}: {has}, max u-error {error:.2e}>"
 
     def __str__(self) -> str:
         """Everything that is known of the table, as `vndf info` prints it."""
@@ -415,7 +417,7 @@ def build(
 
     Examples
     --------
-    >>> mine = vndf.build(p22="exp(-k*r^2)", params={"k": 2.5}, size=64, tolerance=1e-3, name="mine")
+    >>> mine = vndf.build(p22="exp(-k*r^2)", params={"k": 2.5}, size=64, name="mine")
     >>> mine.specification
     "p22:'exp(-k*r^2)' param:k=2.5 name:'mine'"
     """
@@ -462,7 +464,8 @@ def build(
     baking = None
     if tolerance is not None:
         baking = _native.Baking(tolerance, max_bytes, below_horizon)
-    command = f"vndf.build({given[0]}={_shown(sources[given[0]])}, size={size}, tolerance={tolerance})"
+    shown = f"{given[0]}={_shown(sources[given[0]])}"
+    command = f"vndf.build({shown}, size={size}, tolerance={tolerance})"
     return Table(
         _native.build(source, _size_of(size, precision), baking, command, thread_count(threads))
     )
@@ -500,8 +503,8 @@ def _source_of_profile(
     r, p22 = (numbers(what, values) for what, values in zip(("r", "p22"), profile))
     if r.ndim != 1 or r.shape != p22.shape:
         raise ValueError(
-            f"r has shape {r.shape} and p22 has shape {p22.shape}; both must be (N,), as many radii "
-            "as densities"
+            f"r has shape {r.shape} and p22 has shape {p22.shape}; both must be (N,), as many "
+            "radii as densities"
         )
     return _native.source_of_profile(r, p22, tail, smooth, name)
 

@@ -19,8 +19,8 @@ from .reference import Reference
 class Verdict(dict[str, Any]):
     """What a validation found: the object that the program writes with --json.
 
-    The keys are sampler, passed, samples, resolutions, results and not_run. It prints as the program
-    prints it.
+    The keys are sampler, passed, samples, resolutions, results and not_run. It prints as the
+    program prints it.
     """
 
     def __init__(self, report: tuple[str, str]) -> None:
@@ -200,6 +200,6 @@ def validate(
     if isinstance(sampler, Reference):
         return Verdict(_native.validate_reference(sampler.name, *options))
     raise TypeError(
-        f"sampler is of type {type(sampler).__name__}; give a vndf.Table or one of vndf.reference, or "
-        "the samples of yours to vndf.check()"
+        f"sampler is of type {type(sampler).__name__}; give a vndf.Table or one of vndf.reference, "
+        "or the samples of yours to vndf.check()"
     )
