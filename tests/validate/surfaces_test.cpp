@@ -185,7 +185,6 @@ TEST_CASE("a correlation that is off by 0.01 is seen, whatever the map") {
   for (SamplerUnderTest sampler : {inverse(), caps(), pair_of("beckmann")}) {
     sampler.surface = surface(0.5, {0.7, -0.4});
     CAPTURE(sampler.name);
-    CHECK(first_failure(misled(sampler, [](Configuration&) {})) == "");
     CHECK(first_failure(misled(sampler, [](Configuration& c) { c.correlation += 0.01; })) != "");
   }
 }
@@ -193,6 +192,7 @@ TEST_CASE("a correlation that is off by 0.01 is seen, whatever the map") {
 TEST_CASE("a mean slope of the wrong sign, or none, and exchanged roughness are seen") {
   SamplerUnderTest sampler = pair_of("beckmann");
   sampler.surface = surface(0.5, {0.1, 0});
+  CHECK(first_failure(misled(sampler, [](Configuration&) {})) == "");
   CHECK(first_failure(misled(sampler, [](Configuration& c) { c.mean.x = -c.mean.x; })) != "");
   CHECK(first_failure(misled(sampler, [](Configuration& c) { c.mean = {0, 0}; })) != "");
   CHECK(first_failure(misled(sampler, [](Configuration& c) { c.correlation = 0; })) != "");
