@@ -38,9 +38,11 @@ struct Certificate {
   /// zeros where tables have nothing for these. Where the visible slopes differ by little, as at
   /// the rim of a bounded distribution, rounding to single precision is most of it.
   TableErrors below;
-  double max_d_error = 0;       ///< relative, over slopes to the radius that 1e-12 of them exceed
-  double max_lambda_error = 0;  ///< relative to 1 + Lambda, which is that of G1
-  double max_pdf_error = 0;     ///< relative, over sampled normals
+  double max_d_error = 0;  ///< relative, over slopes to the radius that 1e-12 of them exceed
+  /// Of the visible area, relative, over directions that see at least kLeastArea: above the horizon
+  /// that is the error of 1 + Lambda and of G1, and below it that of Lambda.
+  double max_lambda_error = 0;
+  double max_pdf_error = 0;  ///< relative, over sampled normals of the same directions
 };
 
 /// Calls `visit(name, value)` for each figure of `errors`, in the order in which they are printed.

@@ -84,7 +84,7 @@ void describe(std::string& text, const Certificate& c) {
   describe(text, c.conditional, "conditional table", "slope x");
   text += "functions, relative error, max\n";
   line(text, "D", fmt::format("{:.2e}", c.max_d_error));
-  line(text, "Lambda (of 1 + Lambda)", fmt::format("{:.2e}", c.max_lambda_error));
+  line(text, "Lambda (visible area)", fmt::format("{:.2e}", c.max_lambda_error));
   line(text, "pdf", fmt::format("{:.2e}", c.max_pdf_error));
 }
 

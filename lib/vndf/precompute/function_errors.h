@@ -31,13 +31,11 @@ class FunctionErrors {
       const double root = support::golden(k);  // squared, the radii crowd where D may have a pole
       return d_error(std::sinh(farthest * root * root));
     });
-    const auto theta = [](std::size_t k) { return std::numbers::pi / 2 * support::golden(k); };
-    certificate.max_lambda_error =
-        largest(workers, [&](std::size_t k) { return lambda_error(theta(k)); });
+    certificate.max_lambda_error = largest(workers, [&](std::size_t k) {
+      return std::max(area_error(direction(k, 1)), area_error(direction(k, -1)));
+    });
     certificate.max_pdf_error = largest(workers, [&](std::size_t k) {
-      const double u2 = support::golden(k * 7, 0.125);
-      return pdf_error(theta(k), static_cast<float>(support::golden(k * 3)),
-                       static_cast<float>(u2));
+      return std::max(pdf_error(direction(k, 1), k), pdf_error(direction(k, -1), k));
     });
   }
 
@@ -67,26 +65,34 @@ class FunctionErrors {
     return slopes_.p22(radius) / (mu * mu * z * z * z * z);
   }
 
-  double exact_lambda(const Vec3<float>& w) const {
-    const double horizontal = slopes_.mean_slope() * std::hypot(double{w.x}, double{w.y});
-    return horizontal * slopes_.backfacing(w.z / horizontal).value / w.z;
+  /// Direction k of a sequence, above the horizon or, for side -1, below it.
+  static Vec3<float> direction(std::size_t k, int side) {
+    const double theta = std::numbers::pi / 2 * support::golden(k);
+    return {static_cast<float>(std::sin(theta)), 0, static_cast<float>(side * std::cos(theta))};
   }
 
-  double lambda_error(double theta) const {
-    const Vec3<float> w{static_cast<float>(std::sin(theta)), 0,
-                        static_cast<float>(std::cos(theta))};
-    const double exact = exact_lambda(w);
-    return std::abs(double{sampler_.lambda(w, {1, 1})} - exact) / (1 + exact);
+  /// The projected area of the facets that face w.
+  double exact_area(const Vec3<float>& w) const {
+    const double horizontal = slopes_.mean_slope() * std::hypot(double{w.x}, double{w.y});
+    const double away = horizontal * slopes_.backfacing(std::abs(w.z) / horizontal).value;
+    return std::max(0.0, double{w.z}) + away;
+  }
+
+  double area_error(const Vec3<float>& w) const {
+    const double exact = exact_area(w);
+    if (exact < kLeastArea) return 0;
+    return std::abs(double{sampler_.visible_area(w, {1, 1})} / exact - 1);
   }
 
   /// The error is relative to the density that the normal would have if it faced wi, because near
   /// the edge of visibility dot(wi, wm) has only absolute precision.
-  double pdf_error(double theta, float u1, float u2) const {
-    const Vec3<float> wi{static_cast<float>(std::sin(theta)), 0,
-                         static_cast<float>(std::cos(theta))};
-    const Vec3<float> wm = sampler_.sample(wi, {1, 1}, u1, u2);
+  double pdf_error(const Vec3<float>& wi, std::size_t k) const {
+    const double area = exact_area(wi);
+    if (area < kLeastArea) return 0;
+    const Vec3<float> wm = sampler_.sample(wi, {1, 1}, static_cast<float>(support::golden(k * 3)),
+                                           static_cast<float>(support::golden(k * 7, 0.125)));
     const double cosine = double{wi.x} * wm.x + double{wi.y} * wm.y + double{wi.z} * wm.z;
-    const double facing = exact_d(wm) / (wi.z * (1 + exact_lambda(wi)));
+    const double facing = exact_d(wm) / area;
     const double error = double{sampler_.pdf(wi, wm, {1, 1})} - std::max(0.0, cosine) * facing;
     return facing > 0 ? std::abs(error) / facing : std::abs(error);
   }
