@@ -73,6 +73,9 @@ Side side(const std::vector<Configuration>& list, const Bounds& bounds, bool is_
     s.rounding = std::max(s.rounding, kRounding * (c.surface().rounding() - 1));
   }
   s.bounds.u_error += s.rounding;
+  // The slopes that are visible from far below differ by little, so that their rounding is most of
+  // the u-error which tables are certified to have there, and neighbours may differ by it.
+  if (!is_above) s.rounding += bounds.u_error;
   return s;
 }
 

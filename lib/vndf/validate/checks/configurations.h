@@ -42,7 +42,8 @@ struct Side {
   /// Those of the sampler. The u-error may be larger by what single precision rounds where there is
   /// a mean slope.
   Bounds bounds;
-  /// What more the CDF may move by between neighbouring random numbers, likewise.
+  /// What more the CDF may move by between neighbouring random numbers, likewise, and below the
+  /// surface for the rounding that the bound of the u-error allows there.
   double rounding;
 };
 Side side_above(const SamplerUnderTest& sampler, const std::vector<Configuration>& list);
