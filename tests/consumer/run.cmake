@@ -79,12 +79,11 @@ if(WAY STREQUAL "packages")
 endif()
 
 if(WAY STREQUAL "add_subdirectory")
-  # It compiles the builder again, which need not be fast.
-  build_consumer("runtime_only;render;own_distribution" -D CONSUMER_WAY=${WAY}
-                 -D CMAKE_CXX_FLAGS_RELEASE=-O1)
-else()
-  install(${BUILD})
+  # own_distribution is configured with the builder's target, and would compile all of it again.
+  build_consumer("runtime_only;render" -D CONSUMER_WAY=${WAY})
+  return()
 endif()
+install(${BUILD})
 
 if(WAY STREQUAL "compiler")
   file(GLOB_RECURSE library ${installed}/libvndf.a)

@@ -22,11 +22,11 @@ def of_function():
     def mine(r):
         return math.exp(-r * r) if r < 2 else 0
 
-    return vndf.build(p22=mine, breaks=[1], **SMALL)
+    return vndf.build(p22=mine, breaks=[2], **SMALL)
 
 
 def test_a_function_builds_the_numbers_of_its_formula(of_function):
-    formula = vndf.build(p22="r < 2 ? exp(-r*r) : 0", breaks=[1], **SMALL)
+    formula = vndf.build(p22="r < 2 ? exp(-r*r) : 0", breaks=[2], **SMALL)
     assert of_function.tobytes(with_text=False) == formula.tobytes(with_text=False)
     assert formula.specification.startswith("p22:")
     assert of_function.specification == "" and of_function.distribution == "mine"
