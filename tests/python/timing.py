@@ -2,7 +2,8 @@
 
     timing.py VNDF_LIBRARY_VALUES [ROUNDS]
 
-All are timed in turn in one run, because a shared machine is slower at one time than at another.
+All are timed in turn in one run, because a shared machine is slower at one time than at another. In
+each turn one call goes before two that count.
 The lowest and the median time of the rounds are printed in milliseconds.
 """
 
@@ -81,7 +82,7 @@ def main(program, rounds):
                 for name, value in zip(batch, row):
                     batch[name].append(float(value))
             for name, run in runs.items():
-                times[name] += [milliseconds(run) for _ in range(2)]
+                times[name] += [milliseconds(run) for _ in range(3)][1:]
     for name, values in {**batch, **times}.items():
         print(f"{name:<40} {min(values):8.2f} {np.median(values):8.2f} ms")
 

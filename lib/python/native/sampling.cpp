@@ -33,7 +33,6 @@ class BatchOfKernel {
       u_.columns().read(at, n, random_);
       if (!one_direction) wi_.columns().read(at, n, directions_);
       if (!one_surface) surfaces_.columns().read(at, n, alphas_);
-      prefetch(at + n, end, one_direction, one_surface);
       const auto u1 = column(random_, 0, n), u2 = column(random_, 1, n);
       const DirectionSpans wi{column(directions_, 0, n), column(directions_, 1, n),
                               column(directions_, 2, n)};
@@ -52,13 +51,6 @@ class BatchOfKernel {
   template <std::size_t K>
   static std::span<const float> column(const Block<float, K>& block, std::size_t k, std::size_t n) {
     return {block.columns[k].data(), n};
-  }
-  /// Asks for the inputs of the next block, which come while this one is sampled.
-  void prefetch(std::size_t next, std::size_t end, bool one_direction, bool one_surface) const {
-    const std::size_t n = std::min(kBlock, end - next);
-    u_.columns().prefetch(next, n);
-    if (!one_direction) wi_.columns().prefetch(next, n);
-    if (!one_surface) surfaces_.columns().prefetch(next, n);
   }
   std::span<float> target(std::size_t k, std::size_t n) { return {normals_.columns[k].data(), n}; }
 
