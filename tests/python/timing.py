@@ -3,7 +3,7 @@
     timing.py VNDF_LIBRARY_VALUES [ROUNDS]
 
 All are timed in turn in one run, because a shared machine is slower at one time than at another. In
-each turn one call goes before two that count.
+each turn three calls go before three that count, until which what others left in the caches is gone.
 The lowest and the median time of the rounds are printed in milliseconds.
 """
 
@@ -76,13 +76,13 @@ def main(program, rounds):
         table.save(baked)
         np.hstack([wi, wi, alphas, u, u[:, :1]]).astype(np.float64).tofile(inputs)
         for _ in range(rounds):
-            command = [program, "time", str(baked), str(inputs), "3"]
+            command = [program, "time", str(baked), str(inputs), "6"]
             lines = subprocess.run(command, check=True, capture_output=True, text=True).stdout
-            for row in [line.split() for line in lines.splitlines()][1:]:
+            for row in [line.split() for line in lines.splitlines()][3:]:
                 for name, value in zip(batch, row):
                     batch[name].append(float(value))
             for name, run in runs.items():
-                times[name] += [milliseconds(run) for _ in range(3)][1:]
+                times[name] += [milliseconds(run) for _ in range(6)][3:]
     for name, values in {**batch, **times}.items():
         print(f"{name:<40} {min(values):8.2f} {np.median(values):8.2f} ms")
 
